@@ -338,10 +338,10 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
   move.runs_joints = mapper_.has_machine() && state_.tip_control != TipControl::on;
   move.has_start = chain_.last_pose().has_value();
   const char* const unknown_start = chain_.unknown_start();
-  if (reason.empty() && unknown_start != nullptr && move.has_start) reason = unknown_start;
   const bool is_end_known = reached.open.empty();
   move.end = is_end_known ? reached.pose : chain_.last_pose().value_or(Pose{});
   if (!is_end_known && reason.empty()) reason = reached.open;
+  if (reason.empty() && unknown_start != nullptr && move.has_start) reason = unknown_start;
   if (!reason.empty()) {
     move.not_checked_reason = lasting_text(std::move(reason));
     move.curve_kind = CurveKind::none;

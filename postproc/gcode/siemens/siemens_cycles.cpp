@@ -31,11 +31,11 @@ void SiemensRunner::drill(const SiemensWord& cycle) {
   for (std::size_t i = row->known_arguments; i < cycle.arguments.size(); ++i)
     if (!cycle.arguments[i].is_empty && !(std::abs(cycle.arguments[i].value) <= 0))
       open = "an argument of " + cycle.name + " is not read";
+  if (!is_known(out + above + depth)) open = "a level of " + cycle.name + " is not known";
   for (const std::size_t depth_word : {std::size_t{3}, std::size_t{4}})
     if (depth_word < cycle.arguments.size() && !cycle.arguments[depth_word].is_empty && !is_known(value(depth_word)))
       open = "the depth of " + cycle.name + " is not known";
   if (has_both) open = cycle.name + " states its depth twice";
-  if (!is_known(out + above + depth)) open = "a level of " + cycle.name + " is not known";
   if (open.empty() && (!(safety >= 0) || !(depth < reference) || !(out >= above)))
     open = "the levels of " + cycle.name + " are not in their order";
   if (!modes_.plane || *modes_.plane != PlaneAxes{0, 1, 2}) open = cycle.name + " is not in the plane of G17";

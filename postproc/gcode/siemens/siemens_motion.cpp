@@ -74,6 +74,9 @@ SiemensRunner::Target SiemensRunner::target() {
   if (missing.empty()) return to;
   to.place.xyz.setConstant(kUnknownValue);
   to.open = missing;
+  // A place of the part that is not known is no approach.
+  if (words_.has_path_axes())
+    motion_.doubt(modes_.open_length.empty() ? ProgramDoubt::offset : ProgramDoubt::length, missing);
   return to;
 }
 

@@ -1,0 +1,218 @@
+#include "tests/postproc/gcode/siemens/siemens_program.h"
+
+// What a careless reader would misread is not clean, with its line and a reason.
+
+namespace gouge {
+namespace {
+
+using test::full_setup;
+using test::kHead;
+
+/// Expects that blocks after the head are not clean, for a reason that contains `reason`.
+void expect_open(const std::string& blocks, const std::string& reason, ProgramSetup setup = {}) {
+  const ReadOutcome outcome = test::read_siemens(kHead + blocks + "\nM30\n", std::move(setup));
+  EXPECT_FALSE(test::can_be_clean(outcome)) << blocks;
+  EXPECT_NE(test::reasons_of(outcome).find(reason), std::string::npos) << blocks << "\n" << test::reasons_of(outcome);
+}
+
+TEST(SiemensTraps, WordsWithoutARowEndTheKnowledge) {
+  for (const char* block : {"G58 X1",
+                            "G59 X1",
+                            "G110 X1",
+                            "G147",
+                            "G33 Z1 K1",
+                            "ROTS X10 Y10",
+                            "TOFRAME",
+                            "PAROT",
+                            "CYCLE977(1)",
+                            "POCKET3(1,2)",
+                            "HOLES1(1,2)",
+                            "LONGHOLE(1)",
+                            "MEAS=1 X5",
+                            "$P_UIFR[1]=CTRANS(X,5)",
+                            "$AC_TIMER[1]=0",
+                            "PRESETON(X,0)",
+                            "TANG(C,X)",
+                            "ASPLINE",
+                            "POLY",
+                            "CT X5 Y5",
+                            "POS[X]=5",
+                            "POSA[X]=5",
+                            "M66",
+                            "M27",
+                            "H5",
+                            "EXTCALL \"A\"",
+                            "CALL \"A\"",
+                            "CASE R1 OF 1 GOTOF A",
+                            "DEF FRAME F1",
+                            "LEAD=5",
+                            "TILT=5",
+                            "A2=5",
+                            "A4=1",
+                            "ORIRESET(0,0)",
+                            "OEMIPO1",
+                            "TOROT",
+                            "WAITM(1,1)",
+                            "ID=1 DO M5",
+                            "XYZ=5",
+                            "U5",
+                            "G=1",
+                            "G[1]=5",
+                            "X 5",
+                            "X--5",
+                            "X1.2.3",
+                            "X=1 X2",
+                            "G1 G0 X5",
+                            "G54 G55",
+                            "MCALL L10",
+                            "AP=45 RP=10",
+                            "GEOAX(1,X)",
+                            "STOPREX"}) {
+    const ReadOutcome outcome = test::read_siemens(kHead + std::string(block) + "\nG1 X1 F100\nM30\n");
+    EXPECT_FALSE(test::can_be_clean(outcome)) << block;
+    ASSERT_TRUE(outcome.toolpath.has_value()) << block;
+    EXPECT_FALSE(outcome.toolpath->moves.back().not_checked_reason.empty()) << block;
+    EXPECT_NE(test::reasons_of(outcome).find("line 5"), std::string::npos) << block << test::reasons_of(outcome);
+  }
+}
+
+TEST(SiemensTraps, StatesThatNothingStates) {
+  const auto reasons = [](const std::string& text) { return test::reasons_of(test::read_siemens(text)); };
+  EXPECT_NE(reasons("G17 G71 G90 G60\nT1 M6\nG0 X0 Y0 Z5 D1\nG1 X1 F100\nM30\n").find("--start G54"),
+            std::string::npos);
+  EXPECT_NE(reasons("G17 G71 G90 G60 G54\nT1 M6\nG0 X0 Y0 Z5\nG1 X1 F100\nM30\n").find("nothing states D"),
+            std::string::npos);
+  EXPECT_NE(reasons("G17 G71 G60 G54\nT1 M6\nG0 X0 Y0 Z5 D1\nG1 X1 F100\nM30\n").find("--start G90"),
+            std::string::npos);
+  EXPECT_NE(reasons("G17 G71 G90 G54\nT1 M6\nG0 X0 Y0 Z5 D1\nG1 X1 F100\nM30\n").find("--tip-tolerance"),
+            std::string::npos);
+  EXPECT_NE(reasons("G71 G90 G60 G54\nT1 M6\nG0 X0 Y0 Z5 D1\nG2 X1 Y1 I1 J0 F100\nM30\n").find("--start G17"),
+            std::string::npos);
+}
+
+TEST(SiemensTraps, SmoothingWithoutItsTolerance) {
+  expect_open("G64\nG1 X5 F100", "an unknown distance");
+  expect_open("G642\nG1 X5 F100", "an unknown distance");
+  expect_open("CYCLE832(0.02,1,1)\nG1 X5 F100", "0.02 mm");
+  expect_open("CYCLE832()\nG1 X5 F100", "an unknown distance");
+  expect_open("COMPCAD\nG1 X5 F100", "--tip-tolerance");
+  ProgramSetup setup;
+  setup.tip_tolerance_mm = 0.01;
+  expect_open("CYCLE832(0.02,1,1)\nG1 X5 F100", "0.02 mm", setup);
+}
+
+TEST(SiemensTraps, CompensationIsNotChecked) { expect_open("G41 G1 X5 F100\nX6\nG40 X7", "compensated by the radius"); }
+
+TEST(SiemensTraps, LengthsOfOtherEdgesAndNoTool) {
+  expect_open("G1 Z5 F100 D2", "D2 selects a cutting edge");
+  expect_open("G1 Z5 F100 D0", "length");
+  expect_open("T0 M6\nG1 X5 F100 D1", "holds no tool");
+  expect_open("T=\"OTHER\" M6\nG0 X5 Y5 Z5", "nothing states D after the change");
+}
+
+TEST(SiemensTraps, StepsAfterAChangeOfFrame) {
+  expect_open("TRANS X5\nG91 G1 X1 F100", "after a change of frame or length");
+  expect_open("G91 G1 Z1 D1 F100", "after a change of frame or length");
+}
+
+TEST(SiemensTraps, ValuesOfTheControl) {
+  expect_open("R1=$AA_IM[X]\nG1 X=R1 F100", "is not known");
+  expect_open("G1 X=R77 F100", "is not known");
+  expect_open("IF R77>1 GOTOF A\nA: G1 X1 F100", "condition whose value is not known");
+  expect_open("R1=1 R2=R1\nG1 X=R2 F100", "is not known");
+  expect_open("R2=2\nIF R1==1 AND R2==2\nG1 X1 F100\nENDIF", "is not known");
+  expect_open("TRANS X=$AA_IW[X]\nG1 X1 F100", "a value of TRANS is not known");
+}
+
+TEST(SiemensTraps, BlocksThatASwitchLeavesOut) {
+  expect_open("/G1 Z-5 F100", "--block-delete");
+  ProgramSetup setup;
+  setup.is_block_delete_on = true;
+  EXPECT_TRUE(test::can_be_clean(test::read_siemens(kHead + "/G1 Z-5 F100\nM30\n", setup)));
+}
+
+TEST(SiemensTraps, FixedPointsAndPlacesOfTheMachine) {
+  expect_open("G74 X1=0 Z1=0\nG0 X1 Y1 Z1", "only the control knows");
+  expect_open("G75 Z1=0", "only the control knows");
+  expect_open("G53 G0 Z5", "expected SUPA or G153");
+  expect_open("SUPA G0 Z5", "--offset");
+  expect_open("SUPA G91 G0 Z5", "absolute values");
+}
+
+TEST(SiemensTraps, RotaryAxesNeedTheirMachine) {
+  const ReadOutcome outcome = test::read_siemens(kHead + "G0 B10\nM30\n");
+  ASSERT_FALSE(outcome.errors.empty());
+  EXPECT_EQ(outcome.errors[0].code, "gcode-machine");
+}
+
+TEST(SiemensTraps, TheWayOfARotaryAxis) {
+  const std::string head = "G0 B0 C0\nTRAORI\nG0 X1 Y2 Z50\n";
+  expect_open(head + "G1 C-10 F100", "--rotary-turns", full_setup());
+  expect_open(head + "G1 C270 F100", "--rotary-turns", full_setup());
+  expect_open(head + "G1 C=DC(180) F100", "half a turn", full_setup());
+}
+
+TEST(SiemensTraps, LawsOfTheProgramAndOfTheCheck) {
+  const std::string blocks = "G0 B0 C0\nTRAORI\nORIMKS\nG0 X1 Y2 Z50\nG1 C10 F100";
+  expect_open(blocks, "ORIMKS turns the tool by law axis", full_setup());
+  ProgramSetup setup = full_setup();
+  setup.laws = TurnLaws{TurnLaw::documented, TurnLaw::documented, std::nullopt};
+  const ReadOutcome outcome = test::read_siemens(kHead + blocks + "\nM30\n", setup);
+  EXPECT_EQ(test::reasons_of(outcome).find("ORIMKS"), std::string::npos);
+  setup.laws = TurnLaws{TurnLaw::axis, TurnLaw::axis, std::nullopt};
+  expect_open("G0 B0 C0\nTRAORI\nORIWKS ORIAXES\nG0 X1 Y2 Z50", "ORIWKS turns the tool by law vector", setup);
+}
+
+TEST(SiemensTraps, VectorsNeedTraoriAndTheWorkpiece) {
+  expect_open("G1 X5 A3=1 F100", "without TRAORI");
+  expect_open("TRAORI\nORIMKS\nG1 X5 A3=1 F100", "ORIMKS");
+  expect_open("TRAORI\nG1 X5 A3=0 F100", "direction of the tool");
+  expect_open("TRAORI\nSCALE X2\nG1 X5 A3=1 F100", "direction of the tool");
+}
+
+TEST(SiemensTraps, FramesWhoseFateIsNotStated) {
+  expect_open("TRANS X5\nTRAORI\nG0 X1 Y1 Z1", "TRAORI stands while a frame", full_setup());
+  expect_open("TRANS X5\nCYCLE800()\nG0 X1 Y1 Z1", "CYCLE800 may end the frame", full_setup());
+  expect_open("CYCLE800(0,\"TC\",0,192,0,0,0,0,90,0,0,0,0,1)\nG0 X1 Y1 Z1", "this form of CYCLE800", full_setup());
+  expect_open("G0 B0 C0\nCYCLE800(0,\"TC\",0,57,0,0,0,0,90,0,0,0,0,0)\nG0 X1 Y1 Z1", "not aligned", full_setup());
+  expect_open("TRANS A5\nG0 X1", "TRANS");
+  expect_open("TRANS X5 G1\nG0 X1", "TRANS");
+  expect_open("SCALE X0\nG0 X1", "a value of SCALE");
+}
+
+TEST(SiemensTraps, TipControlThatNothingStates) {
+  ProgramSetup setup = full_setup();
+  const ReadOutcome outcome = test::read_siemens(
+      "G17 G71 G90 G94 G60 G54\nT1 M6\nG0 B0 C0\nG0 X0 Y0 Z500 D1\nG0 B90\nG1 X1 F100\nM30\n", setup);
+  EXPECT_NE(test::reasons_of(outcome).find("tool centre point control"), std::string::npos);
+}
+
+TEST(SiemensTraps, CyclesThatAreNotUnderstood) {
+  expect_open("CYCLE86(10,0,3,-6,,1,3,1,1,1,0)", "moves across the hole");
+  expect_open("CYCLE81(10,0,3,-6,5)", "states its depth twice");
+  expect_open("CYCLE81(10,0,3,6)", "not in their order");
+  expect_open("CYCLE81(10,0,3,R9)", "depth of CYCLE81 is not known");
+  expect_open("CYCLE81(10,,3,-6)", "a level of CYCLE81 is not known");
+  expect_open("CYCLE82(10,0,3,-6,,0,0,2,12)", "an argument of CYCLE82 is not read");
+  expect_open("G18\nCYCLE81(10,0,3,-6)", "not in the plane of G17");
+  expect_open("G1 Z1 F100\nCYCLE81(10,0,3,-6)", "begins below its safe level");
+}
+
+TEST(SiemensTraps, ArcsThatAreNotUnderstood) {
+  expect_open("G2 X5 Y5 F100", "");
+  expect_open("G2 X5 Y5 I1 J1 CR=5 F100", "");
+  expect_open("G2 X5 Y5 I=AC(1) J1 F100", "absolute in one word");
+  expect_open("CIP X5 Y5 I1=2.5 J1=2.5 F100", "on a line");
+  expect_open("G1 X5 I5 F100", "words of an arc");
+  expect_open("G2 I5 AR=360 F100", "opening angle");
+  expect_open("G2 X5 Y5 I5 J0 TURN=R9 F100", "");
+}
+
+TEST(SiemensTraps, ProgramsWithoutTheirEnd) {
+  EXPECT_FALSE(test::can_be_clean(test::read_siemens(kHead + "G1 X5 F100\n")));
+  EXPECT_FALSE(test::can_be_clean(test::read_siemens("G0 X5\n%_N_A_MPF\n" + kHead + "G1 X5 F100\nM30\n")));
+  EXPECT_TRUE(test::can_be_clean(test::read_siemens("%_N_A_MPF\n;$PATH=/_N_MPF_DIR\n" + kHead + "G1 X5 F100\nM30\n")));
+}
+
+}  // namespace
+}  // namespace gouge
