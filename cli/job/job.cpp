@@ -109,9 +109,12 @@ class JobLoader {
     }
     const double tip_mm =
         a.tip_tolerance.empty() ? chosen->machine.control.tip_tolerance_mm : job_.options.check.tube.tip_mm;
+    const double axis_rad =
+        a.axis_tolerance.empty() ? chosen->machine.control.axis_tolerance_rad : job_.options.check.tube.axis_rad;
     job_.options.reading.program =
         with_machine(job_.options.reading.program, chosen->machine, stated_machine(), chosen->laws.joint_rapids,
-                     tip_mm > 0 ? std::optional(tip_mm) : std::nullopt, chosen->laws);
+                     tip_mm > 0 ? std::optional(tip_mm) : std::nullopt, chosen->laws,
+                     axis_rad > 0 ? std::optional(axis_rad) : std::nullopt);
     return true;
   }
 

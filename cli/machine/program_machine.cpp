@@ -8,7 +8,8 @@ std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const Pro
                                                  const Machine& machine, const StatedMachine& stated,
                                                  const std::optional<TurnLaw>& joint_rapids,
                                                  const std::optional<double>& tip_tolerance_mm,
-                                                 const std::optional<TurnLaws>& laws) {
+                                                 const std::optional<TurnLaws>& laws,
+                                                 const std::optional<double>& axis_tolerance_rad) {
   ProgramSetup full = setup ? *setup : ProgramSetup{};
   full.machine = std::make_shared<const Machine>(machine);
   if (full.control.empty()) full.control = machine.control.program;
@@ -17,6 +18,7 @@ std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const Pro
   full.tool_length_mm = stated.tool_length_mm;
   full.tip_tolerance_mm = tip_tolerance_mm;
   full.laws = laws;
+  full.axis_tolerance_rad = axis_tolerance_rad;
   full.are_joint_rapids_straight = joint_rapids == TurnLaw::joint;
   return std::make_shared<const ProgramSetup>(std::move(full));
 }

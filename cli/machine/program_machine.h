@@ -14,6 +14,7 @@ namespace gouge {
                                                                const Machine& machine, const StatedMachine& stated,
                                                                const std::optional<TurnLaw>& joint_rapids,
                                                                const std::optional<double>& tip_tolerance_mm,
-                                                               const std::optional<TurnLaws>& laws);
+                                                               const std::optional<TurnLaws>& laws,
+                                                               const std::optional<double>& axis_tolerance_rad);
 
 }  // namespace gouge

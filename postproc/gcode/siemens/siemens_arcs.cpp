@@ -13,10 +13,10 @@ constexpr std::array<std::string_view, 3> kCentreWords = {"I", "J", "K"}, kPoint
 
 /// Returns the arc from `start` over `middle` to `end`; none: they are on a line, or nearly.
 std::optional<ProgramArc> arc_through(const Vec3& start, const Vec3& middle, const Vec3& end) {
-  constexpr double kLeastSine = 1e-4;  // of the angle at the middle
+  constexpr double kMinSine = 1e-4;  // of the angle at the middle
   const Vec3 a = middle - start, b = end - start, normal = a.cross(b);
-  const double least = kLeastSine * a.norm() * b.norm();
-  if (!(normal.norm() > least) || !(normal.norm() > kLeastSine * a.norm() * (end - middle).norm())) return std::nullopt;
+  const double least = kMinSine * a.norm() * b.norm();
+  if (!(normal.norm() > least) || !(normal.norm() > kMinSine * a.norm() * (end - middle).norm())) return std::nullopt;
   const Vec3 to_centre =
       (b.squaredNorm() * normal.cross(a) + a.squaredNorm() * b.cross(normal)) / (2 * normal.squaredNorm());
   ProgramArc arc;
@@ -57,8 +57,8 @@ void SiemensRunner::go_round(const SiemensRow& row, Target to) {
   if (words_.has_any({"I1", "J1", "K1"})) to.open = "G2 or G3 with a point between the ends";
   if (words_.value("CR") != nullptr) arc.radius_mm = length("CR");
   if (const SiemensWord* const turns = words_.value("TURN")) {
-    constexpr double kMostTurns = 999;
-    const bool is_count = turns->value >= 0 && turns->value <= kMostTurns && std::floor(turns->value) >= turns->value;
+    constexpr double kMaxTurns = 999;
+    const bool is_count = turns->value >= 0 && turns->value <= kMaxTurns && std::floor(turns->value) >= turns->value;
     arc.turns = is_count ? static_cast<int>(turns->value) + 1 : 0;
   }
   if (to.open.empty() && words_.value("AR") != nullptr) to.open = read_opening_angle(arc, to.place);
@@ -73,9 +73,9 @@ void SiemensRunner::go_round(const SiemensRow& row, Target to) {
 
 // AR states the opening angle, with the centre or with the end. Completes the arc; returns why it cannot.
 std::string SiemensRunner::read_opening_angle(ArcWords& arc, AxisPlace& end) {
-  constexpr double kLeast_deg = 1e-3, kMost_deg = 360 - 1e-3;
+  constexpr double kMin_deg = 1e-3, kMax_deg = 360 - 1e-3;
   const double opening = words_.value("AR")->value;
-  if (!(opening > kLeast_deg && opening < kMost_deg) || arc.radius_mm || arc.turns != 1)
+  if (!(opening > kMin_deg && opening < kMax_deg) || arc.radius_mm || arc.turns != 1)
     return "the opening angle of an arc is not understood";
   const auto u = static_cast<std::size_t>(arc.plane[0]), v = static_cast<std::size_t>(arc.plane[1]);
   const bool has_centre = words_.has_any({"I", "J", "K"});
@@ -84,7 +84,7 @@ std::string SiemensRunner::read_opening_angle(ArcWords& arc, AxisPlace& end) {
   const Vec3& start = motion_.place().xyz;
   const int iu = arc.plane[0], iv = arc.plane[1];
   if (has_end) {
-    const double chord = std::hypot(end.xyz[iu] - start[iu], end.xyz[iv] - start[iv]);
+    const double du = end.xyz[iu] - start[iu], dv = end.xyz[iv] - start[iv], chord = std::sqrt(du * du + dv * dv);
     const double radius = chord / (2 * std::sin(opening * kDegree_rad / 2));
     arc.radius_mm = opening > 180 ? -radius : radius;
     return {};

@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// How a word states its value: X10, X=AC(10), X=IC(10), and for rotary axes B=DC(10), B=ACP(10), B=ACN(10).
+/// States how a word gives its value: X10, X=AC(10), X=IC(10), and for rotary axes B=DC(10), B=ACP(10), B=ACN(10).
 enum class SiemensMeasure : std::uint8_t { modal, absolute, incremental, shortest, positive, negative };
 
 /// An argument in brackets.

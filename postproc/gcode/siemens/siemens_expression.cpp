@@ -12,10 +12,10 @@ namespace gouge {
 namespace {
 
 constexpr double kDegreesPerRad = 180 / std::numbers::pi;
-constexpr int kDeepestBrackets = 50;
+constexpr int kMaxBrackets = 50;
 // The control compares for relative equality. Values that nearly agree are neither equal nor different for us.
 constexpr double kNearlyEqual = 1e-6;
-constexpr double kLargestWhole = 1e15;
+constexpr double kMaxWhole = 1e15;
 
 char capital_of(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_digit_of_number(char c) { return c >= '0' && c <= '9'; }
@@ -39,7 +39,7 @@ double order_of(double a, double b, bool holds, bool holds_if_equal) {
 }
 
 // The manual defines DIV and MOD for INT; the sign of negative ones is not stated.
-bool is_natural(double a) { return a >= 0 && a < kLargestWhole && is_zero(a - std::floor(a)); }
+bool is_natural(double a) { return a >= 0 && a < kMaxWhole && is_zero(a - std::floor(a)); }
 
 enum class Symbol : std::uint8_t {
   times,
@@ -125,7 +125,7 @@ class SiemensEvaluator {
   // Operators of at least this rank; equal ranks from left to right. Several comparisons without brackets are not what
   // they seem, as comparisons come last: their value is not known.
   double operation(int least) {
-    if (++depth_ > kDeepestBrackets) {
+    if (++depth_ > kMaxBrackets) {
       c_.fail("an expression has too many brackets in each other");
       return kUnknownValue;
     }
@@ -220,8 +220,8 @@ class SiemensEvaluator {
     c_.skip_blanks();
     if (c_.peek() != ']') c_.fail("an index without its closing bracket");
     ++c_.at;
-    constexpr double kMostParameters = 32000;
-    if (!is_natural(index) || index > kMostParameters) return kUnknownValue;
+    constexpr double kMaxParameters = 32000;
+    if (!is_natural(index) || index > kMaxParameters) return kUnknownValue;
     return variables_.value("R" + std::to_string(static_cast<int>(index)));
   }
 

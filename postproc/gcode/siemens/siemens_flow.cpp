@@ -43,8 +43,8 @@ std::optional<int> take_times(std::string_view text) {
   text = trim_blanks(text.substr(1));
   if (text.starts_with('=')) text = trim_blanks(text.substr(1));
   const auto number = parse_integer(text);
-  constexpr int kMostTimes = 9999;
-  return number && *number >= 1 && *number <= kMostTimes ? std::optional(static_cast<int>(*number)) : std::nullopt;
+  constexpr int kMaxTimes = 9999;
+  return number && *number >= 1 && *number <= kMaxTimes ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
 bool begins_with_goto(std::string_view text) { return capitals_of(trim_blanks(text)).starts_with("GOTO"); }

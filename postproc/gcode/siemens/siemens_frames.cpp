@@ -16,8 +16,8 @@ Eigen::Matrix3d turned_about(int axis, double degrees) {
 
 /// Returns the axes of the three turns of CYCLE800, 0 for X; none: its mode is another one.
 std::optional<std::array<int, 3>> turn_order(double mode) {
-  constexpr double kLargestMode = 255;
-  if (!(mode >= 0 && mode <= kLargestMode) || std::abs(mode - std::round(mode)) > 0) return std::nullopt;
+  constexpr double kMaxMode = 255;
+  if (!(mode >= 0 && mode <= kMaxMode) || std::abs(mode - std::round(mode)) > 0) return std::nullopt;
   const auto bits = static_cast<unsigned>(mode);
   if (bits >> 6U != 0) return std::nullopt;
   std::array<int, 3> order{};
@@ -41,7 +41,7 @@ void SiemensRunner::take_frame(const SiemensWords::Code& code) {
     if (code.row->is_additive) return lose_rest(code.word->name + " states no value", line_);
     modes_.frame.reset();
     modes_.open_frame.clear();
-    return settle_frame();
+    return;
   }
   const auto stated = stated_frame(*code.row);
   if (!stated) {
@@ -52,7 +52,6 @@ void SiemensRunner::take_frame(const SiemensWords::Code& code) {
   } else {
     modes_.frame = modes_.frame.value_or(ProgramFrame{}).after(*stated);
   }
-  settle_frame();
 }
 
 // Source of the order of the turns: NC programming, 12/2019, p. 309 to 316, RPY angles: Z, then the new Y, then the new X.
@@ -98,13 +97,29 @@ std::optional<ProgramFrame> SiemensRunner::stated_frame(const SiemensRow& row) {
   return frame;
 }
 
+// A place that one of these leaves open is not known either when it ends.
+std::string SiemensRunner::why_frame_open() const {
+  if (!modes_.open_frame.empty()) return modes_.open_frame;
+  if (!modes_.open_swivel.empty()) return modes_.open_swivel;
+  if (modes_.edge > 1) return "D" + std::to_string(modes_.edge) + " selects a cutting edge whose length is not given";
+  if (modes_.edge > 0 && !modes_.plane)
+    return "nothing states the plane, across which the length of the tool is applied; expected --start G17";
+  if (modes_.edge > 0 && *modes_.plane != PlaneAxes{0, 1, 2})
+    return "a length is applied in G18 or G19, where a setting of the control states its axis";
+  const bool is_on = motion_.tip_control() == TipControl::on && motion_.mapper().has_machine();
+  const bool is_turned =
+      is_on && (std::abs(motion_.angle_from_program(0, 0)) > 0 || std::abs(motion_.angle_from_program(1, 0)) > 0);
+  if (is_turned) return "TRAORI with a work offset of rotary axes, whose effect machine data state";
+  return {};
+}
+
 void SiemensRunner::settle_frame() {
   motion_.set_frame(modes_.frame);
-  const std::string& open = modes_.open_frame.empty() ? modes_.open_swivel : modes_.open_frame;
+  std::string open = why_frame_open();
   if (open.empty())
     motion_.end_doubt(ProgramDoubt::frame);
   else
-    motion_.doubt(ProgramDoubt::frame, open);
+    motion_.doubt(ProgramDoubt::frame, std::move(open));
 }
 
 void SiemensRunner::take_swivel(const SiemensWord& cycle) {
@@ -114,7 +129,7 @@ void SiemensRunner::take_swivel(const SiemensWord& cycle) {
     modes_.has_swivel = false;
     modes_.open_swivel.clear();
     motion_.set_plane(std::nullopt);
-    return settle_frame();
+    return;
   }
   const bool was_swivelled = modes_.has_swivel;
   modes_.has_swivel = true;
@@ -123,7 +138,6 @@ void SiemensRunner::take_swivel(const SiemensWord& cycle) {
                            ? "CYCLE800 is added to the swivelled plane in force"
                            : set_swivel(cycle);
   if (!modes_.open_swivel.empty()) modes_.open_swivel = here(modes_.open_swivel);
-  settle_frame();
   if (!modes_.open_swivel.empty()) motion_.go_unchecked(MoveKind::rapid, AxisPlace{}, modes_.open_swivel);
 }
 

@@ -63,8 +63,8 @@ class SiemensLexer {
     word.value = read_siemens_number(c_);
     if (!c_.error.empty()) c_.error = word.name + ": " + c_.error;
     if (word.name != "G" && word.name != "M") return;
-    constexpr double kLargestCode = 99999;
-    const bool is_code = word.value >= 0 && word.value <= kLargestCode;
+    constexpr double kMaxCode = 99999;
+    const bool is_code = word.value >= 0 && word.value <= kMaxCode;
     if (!is_code) return c_.fail(word.name + " without the number of a code");
     word.name += exact_text(word.value);
     word.form = SiemensWord::Form::alone;

@@ -13,7 +13,7 @@ namespace gouge {
 /// Source   Siemens, NC programming, 12/2019, 6FC5398-2EP40-0BA0, 2.2 "Structure of an NC program".
 void read_siemens_block(std::string_view line, const SiemensVariables& variables, SiemensBlock& block);
 
-/// What stands before the words of a line.
+/// The parts of a line before its words.
 struct SiemensLineStart {
   std::string label;           ///< LABEL of "LABEL: G0 X0", in capitals; empty: none
   std::string number;          ///< "N100"; empty: none

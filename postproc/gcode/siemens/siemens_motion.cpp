@@ -40,21 +40,21 @@ void SiemensRunner::move() {
   const bool is_arc = row.meaning != Meaning::rapid && row.meaning != Meaning::line;
   const MoveKind kind = row.meaning == Meaning::rapid ? MoveKind::rapid : is_arc ? MoveKind::arc : MoveKind::feed;
   if (words_.has_arc_words() && !is_arc) return lose_rest("words of an arc without G2, G3 or CIP", line_);
-  const auto* const axes_of = words_.code_of(SiemensGroup::suppression);
-  if (axes_of != nullptr) {
-    if (axes_of->row->meaning == Meaning::machine_axes && !is_arc) return move_to_machine_axes(kind);
-    AxisPlace to;
-    return motion_.go_unchecked(
-        kind, to,
-        here(axes_of->word->name + " states a place that is not known") + "; expected SUPA or G153 with G0 or G1");
-  }
-  const Target to = target();
-  if (error_ || motion_.is_rest_unknown()) return;
-  if (is_arc)
-    go_round(row, to);
+  const auto* const suppressed = words_.code_of(SiemensGroup::suppression);
+  if (suppressed != nullptr)
+    move_to_machine_axes(kind, *suppressed);
   else
-    go(kind, to);
-  if (modes_.modal_cycle && words_.has_path_axes()) drill(*modes_.modal_cycle);
+    move_to_target(kind);
+  if (error_ || !modes_.modal_cycle) return;
+  if (words_.has_path_axes()) return drill(*modes_.modal_cycle);
+  motion_.go_unchecked(MoveKind::feed, AxisPlace{}, "MCALL is in force, and rotary axes alone move");
+}
+
+void SiemensRunner::move_to_target(MoveKind kind) {
+  const Target to = target();
+  if (error_) return;
+  if (kind == MoveKind::arc) return go_round(*modes_.motion, to);
+  go(kind, to);
 }
 
 void SiemensRunner::go(MoveKind kind, const Target& to) {
@@ -181,7 +181,11 @@ void SiemensRunner::place_vector(Target& to) {
   if (!to.open.empty()) to.place.axis.reset();
 }
 
-void SiemensRunner::move_to_machine_axes(MoveKind kind) {
+void SiemensRunner::move_to_machine_axes(MoveKind kind, const SiemensWords::Code& code) {
+  if (code.row->meaning != Meaning::machine_axes || kind == MoveKind::arc)
+    return motion_.go_unchecked(
+        kind, AxisPlace{},
+        here(code.word->name + " states a place that is not known") + "; expected SUPA or G153 with G0 or G1");
   Target to{motion_.place(), {}};
   Vec3 axes = Vec3::Constant(kUnknownValue);
   bool has_step = words_.has_any({"A3", "B3", "C3"});
@@ -191,6 +195,8 @@ void SiemensRunner::move_to_machine_axes(MoveKind kind) {
     axes[i] = word->value * mm_per_unit();
     has_step = has_step || is_incremental(*word) || !is_known(word->value);
   }
+  // A parameter of the control states whether these words suppress the length too.
+  if (modes_.edge > 0 && is_known(axes.z())) to.open = "SUPA or G153 with Z while a length is in force; expected D0";
   place_rotaries(to);
   if (error_) return;
   for (const char letter : {'A', 'B', 'C'}) {
@@ -203,7 +209,9 @@ void SiemensRunner::move_to_machine_axes(MoveKind kind) {
     angle = motion_.is_offset_given() && word->measure == SiemensMeasure::modal ? angle - shift : kUnknownValue;
   }
   const std::string missing = missing_fact();
-  to.place.xyz = missing.empty() && !has_step ? motion_.from_machine_axes(axes) : Vec3(Vec3::Constant(kUnknownValue));
+  if (!to.open.empty()) axes.setConstant(kUnknownValue);
+  to.place.xyz = missing.empty() && !has_step && to.open.empty() ? motion_.from_machine_axes(axes)
+                                                                 : Vec3(Vec3::Constant(kUnknownValue));
   if (!missing.empty() && to.open.empty()) to.open = missing;
   if (has_step && to.open.empty()) to.open = "a place of the machine needs absolute values";
   for (int i = 0; i < 3; ++i) {

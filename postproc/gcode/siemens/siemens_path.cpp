@@ -40,6 +40,8 @@ void SiemensRunner::take_blending() {
   if (const auto* const code = words_.code_of(SiemensGroup::compressor))
     blending.is_compressed = code->row->meaning == SiemensMeaning::compressor_on;
   if (words_.value("ADIS") != nullptr) blending.distance_mm = length("ADIS");
+  if (words_.value("ADISPOS") != nullptr) blending.rapid_distance_mm = length("ADISPOS");
+  if (const SiemensWord* const turn = words_.value("OTOL")) blending.turn_deg = turn->value;
   if (words_.value("CTOL") != nullptr) blending.tolerance_mm = length("CTOL");
   if (const auto* const code = words_.code_of(SiemensGroup::turn_frame)) modes_.turn_frame = code->row;
   if (const auto* const code = words_.code_of(SiemensGroup::turn_path)) modes_.turn_path = code->row;
@@ -52,26 +54,50 @@ void SiemensRunner::take_smoothing_cycle(const SiemensWord& cycle) {
   SiemensBlending& blending = modes_.blending;
   const double tolerance = siemens_argument(cycle, 0, 0);
   const bool ends = std::abs(tolerance) <= 0;
-  blending = {ends ? Mode::not_stated : Mode::tolerance, !ends, here("CYCLE832"), kUnknownValue,
-              tolerance > 0 ? tolerance * mm_per_unit() : kUnknownValue};
+  blending = SiemensBlending{};
+  blending.word = here("CYCLE832");
+  if (ends) return;
+  blending.mode = Mode::cycle;
+  if (tolerance > 0) blending.tolerance_mm = tolerance * mm_per_unit();
+  blending.turn_deg = siemens_argument(cycle, 2, kUnknownValue);
+}
+
+// The tolerance of G642, G643 and the compressor may be one of each axis: the tool leaves its path by more.
+double SiemensRunner::path_bound() const {
+  constexpr double kAxesTogether = 1.7320508075688774;  // square root of 3, rounded up
+  const SiemensBlending& blending = modes_.blending;
+  const double together = blending.tolerance_mm * kAxesTogether;
+  const double compressed = blending.is_compressed ? together : 0;
+  switch (blending.mode) {
+    case Mode::exact:
+      return compressed;
+    case Mode::distance:
+      return std::max(blending.distance_mm, blending.rapid_distance_mm) + compressed +
+             0 * (blending.distance_mm + blending.rapid_distance_mm);
+    case Mode::tolerance:
+      return together + compressed;
+    case Mode::cycle:
+      return blending.tolerance_mm;
+    case Mode::not_stated:
+    case Mode::free:
+      break;
+  }
+  return kUnknownValue;
 }
 
 std::string SiemensRunner::why_path_open() const {
   const SiemensBlending& blending = modes_.blending;
   if (blending.mode == Mode::exact && !blending.is_compressed) return {};
-  double bound = kUnknownValue;
-  if (blending.mode == Mode::exact) bound = 0;
-  if (blending.mode == Mode::distance) bound = blending.distance_mm;
-  if (blending.mode == Mode::tolerance) bound = blending.tolerance_mm;
-  if (blending.is_compressed) {
-    const bool is_known_bound = is_known(bound) && is_known(blending.tolerance_mm);
-    bound = is_known_bound ? bound + blending.tolerance_mm : kUnknownValue;
-    // CYCLE832 has one tolerance for both.
-    if (blending.mode == Mode::tolerance) bound = blending.tolerance_mm;
+  const double bound = path_bound();
+  if (!setup_.tip_tolerance_mm || bound > *setup_.tip_tolerance_mm) {
+    const std::string by = is_known(bound) ? display_text(bound, 4) + " mm" : "an unknown distance";
+    return blending.word + " lets the tool leave its path by " + by + "; expected --tip-tolerance, or G60 with COMPOF";
   }
-  if (setup_.tip_tolerance_mm && !(bound > *setup_.tip_tolerance_mm)) return {};
-  const std::string by = is_known(bound) ? display_text(bound, 4) + " mm" : "an unknown distance";
-  return blending.word + " lets the tool leave its path by " + by + "; expected --tip-tolerance, or G60 with COMPOF";
+  if (motion_.tip_control() != TipControl::on) return {};
+  const double turn_rad = blending.turn_deg * kDegree_rad;
+  if (setup_.axis_tolerance_rad && !(turn_rad > *setup_.axis_tolerance_rad)) return {};
+  const std::string by = is_known(turn_rad) ? display_text(blending.turn_deg, 4) + " degrees" : "an unknown angle";
+  return blending.word + " lets the tool turn away from its path by " + by + "; expected --axis-tolerance";
 }
 
 // Words that state another law than that of the check. Machine data choose which of the two groups counts.
@@ -96,11 +122,13 @@ void SiemensRunner::settle_path() {
   const SiemensRow* const rapids = modes_.rapid_kind;
   const bool runs_apart = rapids != nullptr && rapids->meaning == SiemensMeaning::rapid_apart;
   const bool runs_straight = rapids != nullptr && !runs_apart;
-  const bool is_other =
-      runs_apart ? setup_.are_joint_rapids_straight : runs_straight && !setup_.are_joint_rapids_straight;
-  if (open.empty() && motion_.mapper().has_machine() && is_other)
+  const bool has_machine = motion_.mapper().has_machine();
+  const bool is_other = !has_machine ? runs_apart
+                        : runs_apart ? setup_.are_joint_rapids_straight
+                                     : runs_straight && !setup_.are_joint_rapids_straight;
+  if (open.empty() && is_other)
     open = std::string(rapids->name) + " runs rapids by law " + (runs_apart ? "independent" : "joint") +
-           ", and the machine states another one";
+           ", and the check by another one";
   if (open.empty())
     motion_.end_doubt(ProgramDoubt::path_control);
   else

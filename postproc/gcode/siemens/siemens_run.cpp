@@ -10,8 +10,8 @@ namespace gouge {
 namespace {
 
 /// Blocks that may run beyond those of the file: loops that do not end are ended here.
-constexpr std::size_t kMostRepeatedBlocks = 10'000'000;
-constexpr std::size_t kMostCalls = 64;
+constexpr std::size_t kMaxRepeatedBlocks = 10'000'000;
+constexpr std::size_t kMaxCalls = 64;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void SiemensRun::run_start(std::string_view blocks) {
 
 void SiemensRun::run() {
   Stage stage(input_.progress, "reading " + input_.path.file, main_->size());
-  const std::size_t most = main_->size() + kMostRepeatedBlocks;
+  const std::size_t most = main_->size() + kMaxRepeatedBlocks;
   next_ = main_->begin();
   for (std::size_t steps = 0; !has_ended_ && !runner_.error(); ++steps) {
     if (!calls_.empty() && next_ == calls_.back().end && calls_.back().is_section) {
@@ -52,7 +52,7 @@ void SiemensRun::run() {
     at_ = next_++;
     if (text_ == &main_text_) main_at_ = at_;
     if (steps > most) {
-      lose("the program runs more than " + std::to_string(kMostRepeatedBlocks) +
+      lose("the program runs more than " + std::to_string(kMaxRepeatedBlocks) +
            " blocks again: a loop may have no end");
       break;
     }
@@ -107,7 +107,7 @@ void SiemensRun::call(const SiemensNext& next) {
 }
 
 void SiemensRun::begin_call(Text& text, std::size_t begin, std::size_t end, int times, bool is_section) {
-  if (calls_.size() >= kMostCalls) return lose("programs call each other without an end");
+  if (calls_.size() >= kMaxCalls) return lose("programs call each other without an end");
   calls_.push_back({text_, next_, begin, end, times, is_section});
   if (!is_section) variables_.begin_call();
   text_ = &text;

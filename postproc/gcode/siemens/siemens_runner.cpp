@@ -11,8 +11,8 @@ namespace {
 using Meaning = SiemensMeaning;
 
 std::optional<int> whole_number(const SiemensWord& word) {
-  constexpr double kLargest = 1e9;
-  if (!(std::abs(word.value) <= kLargest) || std::abs(word.value - std::round(word.value)) > 0) return std::nullopt;
+  constexpr double kMaxNumber = 1e9;
+  if (!(std::abs(word.value) <= kMaxNumber) || std::abs(word.value - std::round(word.value)) > 0) return std::nullopt;
   return static_cast<int>(std::lround(word.value));
 }
 
@@ -66,6 +66,7 @@ void SiemensRunner::take_codes() {
   take_length_and_tool();
   if (const auto* code = words_.code_of(SiemensGroup::transformation)) take_transformation(*code);
   if (const auto* code = words_.code_of(SiemensGroup::frame)) take_frame(*code);
+  settle_frame();
   take_blending();
 }
 
@@ -184,11 +185,9 @@ void SiemensRunner::take_length(const SiemensWord& word) {
   modes_.is_moved.setOnes();
   if (modes_.open_length.find("holds no tool") != std::string::npos) return;
   modes_.open_length.clear();
-  if (*number > 1)
-    return motion_.doubt(ProgramDoubt::length,
-                         here("D" + std::to_string(*number) + " selects a cutting edge whose length is not given"));
+  modes_.edge = *number;
   motion_.end_doubt(ProgramDoubt::length);
-  if (*number == 1)
+  if (*number > 0)
     motion_.apply_length(std::nullopt);
   else
     motion_.cancel_length();
@@ -207,7 +206,6 @@ void SiemensRunner::take_transformation(const SiemensWords::Code& code) {
   if (modes_.has_swivel) modes_.open_swivel = here(code.word->name + " stands while a frame of CYCLE800 is in force");
   motion_.set_tip_control(after);
   modes_.is_moved.setOnes();
-  settle_frame();
   settle_path();
 }
 
@@ -219,8 +217,8 @@ SiemensNext SiemensRunner::take_flow() {
   if (words_.called().empty()) return {};
   const SiemensWord* const times = words_.value("P");
   const auto count = times == nullptr ? std::optional(1) : whole_number(*times);
-  constexpr int kMostTimes = 9999;
-  if (!count || *count < 1 || *count > kMostTimes) {
+  constexpr int kMaxTimes = 9999;
+  if (!count || *count < 1 || *count > kMaxTimes) {
     lose_rest("P states a number of calls that is not known", line_);
     return {};
   }

@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// What comes after a block.
+/// The way from a block to the next one.
 struct SiemensNext {
   enum class Kind : std::uint8_t { following, end, back, call };
   Kind kind = Kind::following;
@@ -20,13 +20,15 @@ struct SiemensNext {
   int times = 1;
 };
 
-/// How the control blends one block into the next.
+/// The blending of one block into the next by the control.
 struct SiemensBlending {
-  enum class Mode : std::uint8_t { not_stated, exact, free, distance, tolerance };
+  enum class Mode : std::uint8_t { not_stated, exact, free, distance, tolerance, cycle };
   Mode mode = Mode::not_stated;
   bool is_compressed = false;
   std::string word = "the state at the start";  ///< that states it
   double distance_mm = kUnknownValue;           ///< ADIS
+  double rapid_distance_mm = kUnknownValue;     ///< ADISPOS
+  double turn_deg = kUnknownValue;              ///< OTOL
   double tolerance_mm = kUnknownValue;          ///< CTOL, or the first argument of CYCLE832
 };
 
@@ -47,6 +49,7 @@ struct SiemensModes {
   std::string open_swivel;            ///< why the frame of CYCLE800 is not known; empty: it is
   bool has_swivel = false;
   bool is_offset_stated = false;
+  int edge = 0;  ///< of D; above 0: a length is applied
   std::string open_length = "nothing states D before this block; expected --start D1 or D0";
   std::optional<SiemensWord> next_tool;
   std::optional<SiemensWord> modal_cycle;  ///< of MCALL
@@ -90,6 +93,7 @@ class SiemensRunner {
   void take_blending();
   void take_smoothing_cycle(const SiemensWord& cycle);
   void settle_path();
+  [[nodiscard]] double path_bound() const;
   [[nodiscard]] std::string why_path_open() const;
   [[nodiscard]] std::string why_turn_open() const;
   // Frames.
@@ -98,6 +102,7 @@ class SiemensRunner {
   void take_swivel(const SiemensWord& cycle);
   [[nodiscard]] std::string set_swivel(const SiemensWord& cycle);
   void settle_frame();
+  [[nodiscard]] std::string why_frame_open() const;
   // Motions.
   [[nodiscard]] SiemensNext take_flow();
   void move();
@@ -108,7 +113,8 @@ class SiemensRunner {
   void place_vector(Target& to);
   [[nodiscard]] double turned(const SiemensWord& word, std::size_t rotary, Target& to) const;
   [[nodiscard]] std::string missing_fact() const;
-  void move_to_machine_axes(MoveKind kind);
+  void move_to_target(MoveKind kind);
+  void move_to_machine_axes(MoveKind kind, const SiemensWords::Code& code);
   void go_round(const SiemensRow& row, Target to);
   void go_by_point(const Target& to);
   [[nodiscard]] std::string read_opening_angle(ArcWords& arc, AxisPlace& end);

@@ -43,8 +43,8 @@ constexpr auto kSiemensRows = std::to_array<SiemensRow>({
     {"G641", smooth_distance, SGroup::path_control},
     {"G642", smooth_tolerance, SGroup::path_control},
     {"G643", smooth_tolerance, SGroup::path_control},
-    {"G644", smooth_tolerance, SGroup::path_control},
-    {"G645", smooth_tolerance, SGroup::path_control},
+    {"G644", smooth_path, SGroup::path_control},
+    {"G645", smooth_path, SGroup::path_control},
     {"G601", harmless},
     {"G602", harmless},
     {"G603", harmless},
@@ -155,7 +155,7 @@ constexpr auto kSiemensCycles = std::to_array<SiemensCycle>({
     {"CYCLE89", DrillForm::feed_in_feed_out, 6},
 });
 
-constexpr auto kHarmlessValues = std::to_array<std::string_view>({"S", "S1", "SPOS", "LIMS", "FB", "M1", "ADISPOS"});
+constexpr auto kHarmlessValues = std::to_array<std::string_view>({"S", "S1", "SPOS", "LIMS", "FB", "M1"});
 
 }  // namespace
 

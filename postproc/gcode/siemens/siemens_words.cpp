@@ -11,8 +11,8 @@ using Form = SiemensWord::Form;
 
 // Addresses whose values a code or a mode takes.
 constexpr auto kAddresses = std::to_array<std::string_view>(
-    {"X",  "Y",  "Z",    "A", "B",  "C", "A3", "B3", "C3",   "I",    "J",    "K",   "I1", "J1",
-     "K1", "CR", "TURN", "F", "AR", "D", "T",  "P",  "ADIS", "CTOL", "OTOL", "RPL", "L"});
+    {"X",  "Y",  "Z",    "A", "B",  "C", "A3", "B3", "C3",   "I",       "J",    "K",    "I1",  "J1",
+     "K1", "CR", "TURN", "F", "AR", "D", "T",  "P",  "ADIS", "ADISPOS", "CTOL", "OTOL", "RPL", "L"});
 
 bool is_of_fixed_point(std::string_view name) {
   return name.size() == 2 && std::string_view("XYZABC").find(name[0]) != std::string_view::npos && name[1] == '1';

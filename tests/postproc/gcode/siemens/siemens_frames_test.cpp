@@ -78,16 +78,17 @@ TEST(SiemensFrames, SupaNeedsTheOffsetAndTheLength) {
   setup.tool_length_mm = 80;
   // The gauge point goes to 300, the tip is 80 below it, and the work zero is at 20.
   expect_at(tip_after("SUPA G0 Z300 D0\n", setup), 0, 0, 200);
-  // With the length in force, the tip goes to 300.
-  expect_at(tip_after("SUPA G0 Z300\n", setup), 0, 0, 280);
-  expect_at(tip_after("TRANS X7 Z9\nG153 G0 X101 Z300\n", setup), 1, 0, 280);
+  // A parameter states whether the length is suppressed too.
+  EXPECT_FALSE(test::can_be_clean(test::read_siemens(test::kHead + "SUPA G0 Z300\nM30\n", setup)));
+  expect_at(tip_after("TRANS X7 Z9\nG153 G0 X101 Z300 D0\n", setup), 1, 0, 200);
   expect_at(tip_after("ROT Z90\nG153 G0 X101 Y55\n", setup), 1, 5, 50);
 }
 
 TEST(SiemensFrames, AfterSupaTheFrameIsInForceAgain) {
   ProgramSetup setup;
   setup.offsets["G54"] = {Vec3(100, 50, 20), Vec3::Zero()};
-  expect_at(tip_after("TRANS X7\nSUPA G0 X101 Z300\nG1 X1 F100\n", setup), 8, 0, 280);
+  setup.tool_length_mm = 80;
+  expect_at(tip_after("TRANS X7\nSUPA G0 X101 Z300 D0\nG1 X1 F100\n", setup), 8, 0, 200);
 }
 
 TEST(SiemensFrames, OffsetsNeedTheirValues) {

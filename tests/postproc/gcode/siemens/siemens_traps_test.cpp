@@ -99,12 +99,26 @@ TEST(SiemensTraps, SmoothingWithoutItsTolerance) {
   ProgramSetup setup;
   setup.tip_tolerance_mm = 0.01;
   expect_open("CYCLE832(0.02,1,1)\nG1 X5 F100", "0.02 mm", setup);
+  expect_open("CTOL=0.01\nG642\nG1 X5 F100", "0.0173 mm", setup);
+  expect_open("G641 ADIS=0.01 ADISPOS=0.5\nG1 X5 F100", "0.5 mm", setup);
+}
+
+TEST(SiemensTraps, SmoothingOfTheToolAxis) {
+  const std::string blocks = "G0 B0 C0\nTRAORI\nCYCLE832(0.02,1,0.5)\nG0 X1 Y2 Z50\nG1 C10 F100";
+  ProgramSetup setup = full_setup();
+  setup.tip_tolerance_mm = 0.02;
+  expect_open(blocks, "0.5 degrees; expected --axis-tolerance", setup);
+  setup.axis_tolerance_rad = 0.01;
+  EXPECT_TRUE(test::can_be_clean(test::read_siemens(kHead + blocks + "\nM30\n", setup)));
 }
 
 TEST(SiemensTraps, CompensationIsNotChecked) { expect_open("G41 G1 X5 F100\nX6\nG40 X7", "compensated by the radius"); }
 
 TEST(SiemensTraps, LengthsOfOtherEdgesAndNoTool) {
   expect_open("G1 Z5 F100 D2", "D2 selects a cutting edge");
+  expect_open("G1 Z5 F100 D2\nD1\nX5\nX6\nX7", "9: the place of the tool is not known");
+  expect_open("G18\nG1 Z5 F100", "G18 or G19");
+  expect_open("G18\nG1 Z5 F100\nG17\nX5\nX6\nX7", "10: the place of the tool is not known");
   expect_open("G1 Z5 F100 D0", "length");
   expect_open("T0 M6\nG1 X5 F100 D1", "holds no tool");
   expect_open("T=\"OTHER\" M6\nG0 X5 Y5 Z5", "nothing states D after the change");
@@ -124,6 +138,26 @@ TEST(SiemensTraps, ValuesOfTheControl) {
   expect_open("TRANS X=$AA_IW[X]\nG1 X1 F100", "a value of TRANS is not known");
 }
 
+TEST(SiemensTraps, RapidsWhoseAxesRunApart) {
+  expect_open("RTLIOF\nG0 X5 Y5", "law independent");
+  ProgramSetup setup = full_setup();
+  expect_open("RTLIOF\nG0 X5 Y5", "law independent", setup);
+  setup.are_joint_rapids_straight = false;
+  expect_open("RTLION\nG0 X5 Y5", "law joint", setup);
+}
+
+TEST(SiemensTraps, ModalCyclesRunAfterEveryMotion) {
+  const std::string start = "G1 Z20 F100\nMCALL CYCLE81(10,0,3,-6)\n";
+  expect_open(start + "G53 X5", "begins below its safe level, or at an unknown one");
+  expect_open("G0 B0 C0\n" + start + "G0 C10", "rotary axes alone move", full_setup());
+}
+
+TEST(SiemensTraps, OffsetsOfRotaryAxesUnderTraori) {
+  ProgramSetup setup = full_setup();
+  setup.offsets["G54"].abc_deg = Vec3(0, 0, 10);
+  expect_open("G0 B0 C0\nTRAORI\nG0 X1 Y2 Z50", "work offset of rotary axes", setup);
+}
+
 TEST(SiemensTraps, BlocksThatASwitchLeavesOut) {
   expect_open("/G1 Z-5 F100", "--block-delete");
   ProgramSetup setup;
@@ -135,8 +169,9 @@ TEST(SiemensTraps, FixedPointsAndPlacesOfTheMachine) {
   expect_open("G74 X1=0 Z1=0\nG0 X1 Y1 Z1", "only the control knows");
   expect_open("G75 Z1=0", "only the control knows");
   expect_open("G53 G0 Z5", "expected SUPA or G153");
-  expect_open("SUPA G0 Z5", "--offset");
-  expect_open("SUPA G91 G0 Z5", "absolute values");
+  expect_open("SUPA G0 X5", "--offset");
+  expect_open("SUPA G0 Z5", "expected D0");
+  expect_open("SUPA G91 G0 X5", "absolute values");
 }
 
 TEST(SiemensTraps, RotaryAxesNeedTheirMachine) {
@@ -194,7 +229,7 @@ TEST(SiemensTraps, CyclesThatAreNotUnderstood) {
   expect_open("CYCLE81(10,0,3,R9)", "depth of CYCLE81 is not known");
   expect_open("CYCLE81(10,,3,-6)", "a level of CYCLE81 is not known");
   expect_open("CYCLE82(10,0,3,-6,,0,0,2,12)", "an argument of CYCLE82 is not read");
-  expect_open("G18\nCYCLE81(10,0,3,-6)", "not in the plane of G17");
+  expect_open("G18\nCYCLE81(10,0,3,-6)", "G18");
   expect_open("G1 Z1 F100\nCYCLE81(10,0,3,-6)", "begins below its safe level");
 }
 

@@ -56,7 +56,15 @@ TEST(SiemensWords, ArcsByCentreRadiusAngleAndPoint) {
   EXPECT_NEAR(arc_of("G2 X0 Y10 CR=-10").first.sweep_rad, kPi * 1.5, 1e-7);
   EXPECT_NEAR(arc_of("G3 I-10 J0 Z-6 TURN=2").first.sweep_rad, 6 * kPi, 1e-7);
   EXPECT_NEAR(arc_of("G3 X0 Y10 I-10 J0 Z-6 TURN=2").first.sweep_rad, 4.5 * kPi, 1e-7);
-  expect_at(arc_of("G18 G2 X0 Z10 I-10 K0").first.axis, 0, -1, 0);
+}
+
+TEST(SiemensWords, ArcsInOtherPlanesWithoutALength) {
+  ProgramSetup setup;
+  setup.tool_length_mm = 80;
+  const Toolpath path = path_of_siemens(kHead + "G18 G1 X10 Y0 Z0 D0 F100\nG2 X0 Z10 I-10 K0\nM30\n", setup);
+  ASSERT_EQ(path.arcs.size(), 1U);
+  // From the second axis of the plane to the first is counterclockwise about Y.
+  expect_at(path.arcs[0].axis, 0, -1, 0);
 }
 
 TEST(SiemensWords, CipInSpace) {
@@ -153,7 +161,8 @@ TEST(SiemensWords, MessagesNameOperations) {
 TEST(SiemensWords, SmoothingWithinTheToleranceIsChecked) {
   ProgramSetup setup;
   setup.tip_tolerance_mm = 0.05;
-  for (const char* block : {"CYCLE832(0.05,1,1)", "G64", "G641 ADIS=0.02", "CTOL=0.03\nG642", "COMPCAD CTOL=0.05"})
+  for (const char* block : {"CYCLE832(0.05,1,1)", "G64", "G641 ADIS=0.02 ADISPOS=0.05", "CTOL=0.028\nG642",
+                            "COMPCAD CTOL=0.028", "CTOL=0.014\nG643 COMPON"})
     expect_at(tip_after(std::string(block) + "\nG1 Z5 F100\n", setup), 0, 0, 5);
 }
 
