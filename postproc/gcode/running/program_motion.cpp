@@ -12,8 +12,6 @@ namespace {
 
 // Angles that differ by less are one position of a joint: rounding of degrees to radians.
 constexpr double kSameAngle_rad = Tolerance::kExactDirection;
-// Scales of the axes of an arc that differ by less are equal: rounding of the map from program to part.
-constexpr double kSameScale = 1e-9;
 
 bool is_complete(const Vec3& xyz) { return !xyz.hasNaN(); }
 
@@ -33,7 +31,7 @@ std::optional<double> arc_scale(const Eigen::Matrix3d& linear) {
   const Eigen::Matrix3d square = linear.transpose() * linear;
   const double scale = std::sqrt(square.trace() / 3);
   const Eigen::Matrix3d off = square / (scale * scale) - Eigen::Matrix3d::Identity();
-  if (!(scale > 0) || !(off.cwiseAbs().maxCoeff() <= kSameScale)) return std::nullopt;
+  if (!(scale > 0) || !(off.cwiseAbs().maxCoeff() <= Tolerance::kRounding)) return std::nullopt;
   return linear.determinant() < 0 ? -scale : scale;
 }
 
