@@ -24,16 +24,12 @@ bool is_mark_in(std::string_view line) {
 
 /// Returns whether a program changes the tool by M6. Then T only prepares it.
 bool has_tool_code(const ProgramText& text) {
+  const SiemensVariables variables;
+  SiemensBlock block;
   for (std::size_t i = text.begin(); i < text.end(); ++i) {
-    const std::string_view line = without_comment(text.line(i));
-    for (std::size_t at = 0; at < line.size(); ++at) {
-      if (line[at] != 'M' && line[at] != 'm') continue;
-      std::size_t digit = at + 1;
-      while (digit < line.size() && line[digit] == '0') ++digit;
-      const bool is_six = digit < line.size() && line[digit] == '6';
-      const bool goes_on = digit + 1 < line.size() && line[digit + 1] >= '0' && line[digit + 1] <= '9';
-      if (is_six && !goes_on) return true;
-    }
+    if (text.line(i).find('6') == std::string_view::npos) continue;
+    read_siemens_block(text.line(i), variables, block);
+    if (std::ranges::find(block.words, "M6", &SiemensWord::name) != block.words.end()) return true;
   }
   return false;
 }

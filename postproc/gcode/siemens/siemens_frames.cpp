@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "postproc/gcode/siemens/siemens_runner.h"
 
 // Frames: TRANS, ROT, SCALE, MIRROR and their additive forms, and the swivelled plane of CYCLE800.
@@ -12,6 +13,13 @@ using Meaning = SiemensMeaning;
 
 Eigen::Matrix3d turned_about(int axis, double degrees) {
   return Eigen::AngleAxisd(degrees * kDegree_rad, Vec3::Unit(axis)).toRotationMatrix();
+}
+
+/// Returns whether the axes of a frame are at right angles, as the parts of a frame of the control make them.
+bool keeps_right_angles(const Eigen::Matrix3d& linear) {
+  const Eigen::Matrix3d square = linear.transpose() * linear;
+  const Eigen::Matrix3d off = square - Eigen::Matrix3d(square.diagonal().asDiagonal());
+  return off.cwiseAbs().maxCoeff() <= Tolerance::kRounding * square.diagonal().maxCoeff();
 }
 
 /// Returns the axes of the three turns of CYCLE800, 0 for X; none: its mode is another one.
@@ -51,6 +59,8 @@ void SiemensRunner::take_frame(const SiemensWords::Code& code) {
     modes_.open_frame.clear();
   } else {
     modes_.frame = modes_.frame.value_or(ProgramFrame{}).after(*stated);
+    if (!keeps_right_angles(modes_.frame->linear))
+      modes_.open_frame = here(code.word->name + " turns a frame with different scales");
   }
 }
 
@@ -106,6 +116,8 @@ std::string SiemensRunner::why_frame_open() const {
     return "nothing states the plane, across which the length of the tool is applied; expected --start G17";
   if (modes_.edge > 0 && *modes_.plane != PlaneAxes{0, 1, 2})
     return "a length is applied in G18 or G19, where a setting of the control states its axis";
+  if (modes_.has_vector && !motion_.mapper().has_machine() && motion_.tip_control() != TipControl::on)
+    return "the tool stays tilted after TRAFOOF; expected --machine";
   const bool is_on = motion_.tip_control() == TipControl::on && motion_.mapper().has_machine();
   const bool is_turned =
       is_on && (std::abs(motion_.angle_from_program(0, 0)) > 0 || std::abs(motion_.angle_from_program(1, 0)) > 0);

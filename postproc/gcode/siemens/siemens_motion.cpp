@@ -70,6 +70,11 @@ SiemensRunner::Target SiemensRunner::target() {
   place_rotaries(to);
   if (error_) return to;
   place_vector(to);
+  const bool is_on = motion_.tip_control() == TipControl::on;
+  if (is_on && !motion_.mapper().has_machine() && !to.place.axis && to.open.empty()) {
+    to.open = "TRAORI without a direction of the tool; expected --machine, or A3, B3 and C3";
+    to.place.xyz.setConstant(kUnknownValue);
+  }
   const std::string missing = missing_fact();
   if (missing.empty()) return to;
   to.place.xyz.setConstant(kUnknownValue);
@@ -157,6 +162,7 @@ double SiemensRunner::turned(const SiemensWord& word, std::size_t rotary, Target
 // A3, B3 and C3: the direction from the tip to the adapter, in the frame that is in force.
 void SiemensRunner::place_vector(Target& to) {
   if (!words_.has_any({"A3", "B3", "C3"})) return;
+  modes_.has_vector = true;
   Vec3 direction = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
     constexpr std::array<std::string_view, 3> kNames = {"A3", "B3", "C3"};

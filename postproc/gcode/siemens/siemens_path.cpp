@@ -41,8 +41,10 @@ void SiemensRunner::take_blending() {
     blending.is_compressed = code->row->meaning == SiemensMeaning::compressor_on;
   if (words_.value("ADIS") != nullptr) blending.distance_mm = length("ADIS");
   if (words_.value("ADISPOS") != nullptr) blending.rapid_distance_mm = length("ADISPOS");
-  if (const SiemensWord* const turn = words_.value("OTOL")) blending.turn_deg = turn->value;
-  if (words_.value("CTOL") != nullptr) blending.tolerance_mm = length("CTOL");
+  // A value below 0 ends the tolerance.
+  const auto tolerance = [](double stated) { return stated >= 0 ? stated : kUnknownValue; };
+  if (const SiemensWord* const turn = words_.value("OTOL")) blending.turn_deg = tolerance(turn->value);
+  if (words_.value("CTOL") != nullptr) blending.tolerance_mm = tolerance(length("CTOL"));
   if (const auto* const code = words_.code_of(SiemensGroup::turn_frame)) modes_.turn_frame = code->row;
   if (const auto* const code = words_.code_of(SiemensGroup::turn_path)) modes_.turn_path = code->row;
   if (const auto* const code = words_.code_of(SiemensGroup::rapid_kind)) modes_.rapid_kind = code->row;
@@ -72,8 +74,9 @@ double SiemensRunner::path_bound() const {
     case Mode::exact:
       return compressed;
     case Mode::distance:
-      return std::max(blending.distance_mm, blending.rapid_distance_mm) + compressed +
-             0 * (blending.distance_mm + blending.rapid_distance_mm);
+      return is_known(blending.distance_mm + blending.rapid_distance_mm)
+                 ? std::max(blending.distance_mm, blending.rapid_distance_mm) + compressed
+                 : kUnknownValue;
     case Mode::tolerance:
       return together + compressed;
     case Mode::cycle:

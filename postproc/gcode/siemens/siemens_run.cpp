@@ -93,6 +93,8 @@ void SiemensRun::follow(const SiemensNext& next) {
       if (!calls_.empty()) return end_call();
       [[fallthrough]];
     case SiemensNext::Kind::end:
+      if (std::ranges::any_of(calls_, [](const Call& one) { return !one.is_section; }))
+        return lose("the end of a program in a subprogram; expected M17 or RET");
       has_ended_ = true;
       end_line_ = main_->number(main_at_);
       return;

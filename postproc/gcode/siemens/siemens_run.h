@@ -95,6 +95,7 @@ class SiemensRun {
   std::size_t main_at_ = 0;        // the block of the file that runs, or calls
   std::vector<Call> calls_;
   std::map<std::string, BesideText> besides_;
+  std::map<std::pair<const Text*, std::size_t>, double> limits_;  // of FOR, by its line
   std::size_t end_line_ = 0;
   bool has_ended_ = false;
 };

@@ -118,7 +118,7 @@ void SiemensRunner::take_mode(const SiemensWords::Code& code) {
 }
 
 void SiemensRunner::take_unit(LengthUnit unit, const std::string& word) {
-  if (unit_line_ == 0 && line_ > 0) {
+  if (unit_line_ == 0) {
     unit_line_ = line_;
     input_.path.unit = unit;
   }
@@ -142,9 +142,12 @@ void SiemensRunner::set_feed() {
 }
 
 void SiemensRunner::take_offset(const std::string& name) {
-  if (offset_line_ == 0 && line_ > 0) offset_line_ = line_;
-  modes_.is_offset_stated = true;
   modes_.is_moved.setOnes();
+  // The part is at the first offset of the program. G500 ends offsets, and is none of the part.
+  const bool is_given = setup_.zero.has_value() || setup_.offsets.contains(name);
+  modes_.is_offset_stated = name != "G500" || is_given || !motion_.part_offset().empty();
+  if (!modes_.is_offset_stated) return;
+  if (offset_line_ == 0 && line_ > 0) offset_line_ = line_;
   motion_.choose_offset(name);
 }
 

@@ -48,6 +48,7 @@ struct SiemensModes {
   std::string open_frame;             ///< why it is not known; empty: it is
   std::string open_swivel;            ///< why the frame of CYCLE800 is not known; empty: it is
   bool has_swivel = false;
+  bool has_vector = false;  ///< A3, B3 or C3 has turned the tool
   bool is_offset_stated = false;
   int edge = 0;  ///< of D; above 0: a length is applied
   std::string open_length = "nothing states D before this block; expected --start D1 or D0";

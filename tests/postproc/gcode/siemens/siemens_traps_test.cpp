@@ -213,6 +213,33 @@ TEST(SiemensTraps, FramesWhoseFateIsNotStated) {
   expect_open("TRANS A5\nG0 X1", "TRANS");
   expect_open("TRANS X5 G1\nG0 X1", "TRANS");
   expect_open("SCALE X0\nG0 X1", "a value of SCALE");
+  expect_open("SCALE X2\nAROT Z45\nG0 X1 Y1 Z1", "turns a frame with different scales");
+}
+
+TEST(SiemensTraps, TheToolStaysTiltedWithoutAMachine) {
+  expect_open("TRAORI\nG1 X5 F100", "TRAORI without a direction");
+  expect_open("TRAORI\nG1 X5 Y0 Z0 A3=1 C3=1 F100\nTRAFOOF\nG0 X1 Y1 Z1\nX2", "stays tilted after TRAFOOF");
+}
+
+TEST(SiemensTraps, TextsThatNameM6DoNotChangeTheTool) {
+  const Toolpath path =
+      test::path_of_siemens("G17 G71 G90 G94 G60 G54\nMSG(\"USE M6\")\nT1 D1\nG0 X0 Y0 Z9\nT2 D1\nG0 X1 Y0 Z9\nM30\n");
+  EXPECT_EQ(path.tools.size(), 2U);
+}
+
+TEST(SiemensTraps, G500BeforeTheOffsetOfThePart) {
+  const ReadOutcome outcome =
+      test::read_siemens("G17 G71 G90 G94 G60 G500\nT1 M6\nG0 X0 Y0 Z9 D1\nG54\nG0 X1 Y1 Z1\nG1 X2 F1\nM30\n");
+  ASSERT_TRUE(outcome.toolpath.has_value());
+  EXPECT_FALSE(outcome.toolpath->moves[0].not_checked_reason.empty());
+  test::expect_at(outcome.toolpath->moves.back().end.tip, 2, 1, 1);
+}
+
+TEST(SiemensTraps, TheEndOfAProgramInASubprogram) {
+  ProgramSetup setup;
+  setup.read_beside = [](const std::string&) { return std::optional<std::string>("G1 X5 F100\nM30\n"); };
+  expect_open("L5\nG1 X1 F100", "in a subprogram", setup);
+  expect_open("R2=3\nFOR R1=1 TO R2\nR2=5\nENDFOR\nG1 X1 F100", "a limit of FOR changes");
 }
 
 TEST(SiemensTraps, TipControlThatNothingStates) {
