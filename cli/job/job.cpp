@@ -113,8 +113,7 @@ class JobLoader {
         a.axis_tolerance.empty() ? chosen->machine.control.axis_tolerance_rad : job_.options.check.tube.axis_rad;
     job_.options.reading.program =
         with_machine(job_.options.reading.program, chosen->machine, stated_machine(), chosen->laws.joint_rapids,
-                     tip_mm > 0 ? std::optional(tip_mm) : std::nullopt, chosen->laws,
-                     axis_rad > 0 ? std::optional(axis_rad) : std::nullopt);
+                     stated_tolerance(tip_mm), chosen->laws, stated_tolerance(axis_rad));
     return true;
   }
 
