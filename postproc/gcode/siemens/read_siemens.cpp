@@ -27,7 +27,7 @@ bool has_tool_code(const ProgramText& text) {
   const SiemensVariables variables;
   SiemensBlock block;
   for (std::size_t i = text.begin(); i < text.end(); ++i) {
-    if (text.line(i).find('6') == std::string_view::npos) continue;
+    if (text.line(i).find_first_of("Mm") == std::string_view::npos) continue;
     read_siemens_block(text.line(i), variables, block);
     if (std::ranges::find(block.words, "M6", &SiemensWord::name) != block.words.end()) return true;
   }

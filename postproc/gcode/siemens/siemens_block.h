@@ -46,6 +46,14 @@ struct SiemensBlock {
   std::string_view flow_rest;  ///< text behind it, without the comment
   std::string error;           ///< why the text is no block; empty: it is one
 
+  void clear() {
+    words.clear();
+    assignments.clear();
+    is_skippable = false;
+    flow_word.clear();
+    flow_rest = {};
+    error.clear();
+  }
   [[nodiscard]] bool is_empty() const {
     return words.empty() && assignments.empty() && flow_word.empty() && error.empty();
   }

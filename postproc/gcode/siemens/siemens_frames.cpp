@@ -49,7 +49,7 @@ void SiemensRunner::take_frame(const SiemensWords::Code& code) {
     if (code.row->is_additive) return lose_rest(code.word->name + " states no value", line_);
     modes_.frame.reset();
     modes_.open_frame.clear();
-    return;
+    return motion_.set_frame(std::nullopt);
   }
   const auto stated = stated_frame(*code.row);
   if (!stated) {
@@ -62,6 +62,7 @@ void SiemensRunner::take_frame(const SiemensWords::Code& code) {
     if (!keeps_right_angles(modes_.frame->linear))
       modes_.open_frame = here(code.word->name + " turns a frame with different scales");
   }
+  motion_.set_frame(modes_.frame);
 }
 
 // Source of the order of the turns: NC programming, 12/2019, p. 309 to 316, RPY angles: Z, then the new Y, then the new X.
@@ -126,7 +127,6 @@ std::string SiemensRunner::why_frame_open() const {
 }
 
 void SiemensRunner::settle_frame() {
-  motion_.set_frame(modes_.frame);
   std::string open = why_frame_open();
   if (open.empty())
     motion_.end_doubt(ProgramDoubt::frame);

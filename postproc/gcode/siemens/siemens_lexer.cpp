@@ -193,6 +193,17 @@ class SiemensLexer {
   SiemensBlock& block_;
 };
 
+std::string flow_word_at(std::string_view line, std::size_t at) {
+  GcodeCursor c{line, at};
+  c.skip_blanks();
+  const bool may_be_word =
+      c.at + 1 < line.size() && is_capital(as_capital(line[c.at])) && is_capital(as_capital(line[c.at + 1]));
+  if (!may_be_word) return {};
+  std::string name = read_siemens_name(c);
+  if (std::ranges::find(kFlowWords, name) == kFlowWords.end()) name.clear();
+  return name;
+}
+
 }  // namespace
 
 std::string_view without_comment(std::string_view line) {
@@ -234,21 +245,15 @@ SiemensLineStart read_siemens_start(std::string_view line) {
   return start;
 }
 
-std::string flow_word_of(std::string_view line) {
-  GcodeCursor c{line, read_siemens_start(line).first_word};
-  c.skip_blanks();
-  std::string name = read_siemens_name(c);
-  if (std::ranges::find(kFlowWords, name) == kFlowWords.end()) name.clear();
-  return name;
-}
+std::string flow_word_of(std::string_view line) { return flow_word_at(line, read_siemens_start(line).first_word); }
 
 void read_siemens_block(std::string_view line, const SiemensVariables& variables, SiemensBlock& block) {
-  block = {};
+  block.clear();
   const std::string_view text = without_comment(line);
   if (!trim_blanks(text).empty() && trim_blanks(text)[0] == '%') return;  // the name of the program
   const SiemensLineStart start = read_siemens_start(text);
   block.is_skippable = start.is_skippable;
-  block.flow_word = flow_word_of(text);
+  block.flow_word = flow_word_at(text, start.first_word);
   const std::string_view words = text.substr(start.first_word);
   if (!block.flow_word.empty()) {
     block.flow_rest = trim_blanks(words);

@@ -60,14 +60,21 @@ SiemensNext SiemensRunner::run(const SiemensBlock& block, std::size_t line) {
 }
 
 void SiemensRunner::take_codes() {
+  using Group = SiemensGroup;
   for (const SiemensWords::Code& code : words_.codes()) take_mode(code);
   if (words_.value("F") != nullptr && words_.code(Meaning::dwell) == nullptr) take_feed();
   if (const auto* offset = words_.code(Meaning::work_offset)) take_offset(offset->word->name);
   take_length_and_tool();
-  if (const auto* code = words_.code_of(SiemensGroup::transformation)) take_transformation(*code);
-  if (const auto* code = words_.code_of(SiemensGroup::frame)) take_frame(*code);
-  settle_frame();
-  take_blending();
+  const auto has_code = [&](Group group) { return words_.code_of(group) != nullptr; };
+  if (const auto* code = words_.code_of(Group::transformation)) take_transformation(*code);
+  if (const auto* code = words_.code_of(Group::frame)) take_frame(*code);
+  const bool changes_frame = has_code(Group::frame) || has_code(Group::transformation) || has_code(Group::plane) ||
+                             has_code(Group::work_offset) || words_.value("D") != nullptr;
+  if (changes_frame) settle_frame();
+  const bool changes_path = has_code(Group::path_control) || has_code(Group::compressor) ||
+                            has_code(Group::turn_frame) || has_code(Group::turn_path) || has_code(Group::rapid_kind) ||
+                            words_.has_any({"ADIS", "ADISPOS", "CTOL", "OTOL"});
+  if (changes_path) take_blending();
 }
 
 // The modes that only give words a meaning.

@@ -53,7 +53,6 @@ const SiemensWords::Code* SiemensWords::code_of(SiemensGroup group) const {
 }
 
 std::string SiemensWords::take_code(const SiemensWord& word, const SiemensRow& row) {
-  if (word.form == Form::number) return text_of(word) + " has a value, which the word does not take";
   if (word.form == Form::call && !row.takes_arguments)
     return word.name + " has arguments, which the word does not take";
   for (const Code& other : codes_) {
@@ -91,8 +90,8 @@ std::string SiemensWords::take(const SiemensBlock& block, const std::vector<std:
   };
   for (const SiemensWord& word : block.words) {
     std::string wrong;
-    const SiemensRow* const row = find_siemens_row(word.name);
-    if (row != nullptr && word.form != Form::number)
+    const SiemensRow* const row = word.form == Form::number ? nullptr : find_siemens_row(word.name);
+    if (row != nullptr)
       wrong = take_code(word, *row);
     else if (word.form == Form::number)
       wrong = take_value(word);
