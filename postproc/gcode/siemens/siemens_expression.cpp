@@ -193,7 +193,12 @@ class SiemensEvaluator {
     if (name == "$PI") return std::numbers::pi;
     if (name[0] == '$') return system_variable();
     if (name == "NOT") {
+      if (++depth_ > kMaxBrackets) {
+        c_.fail("an expression has too many operators in each other");
+        return kUnknownValue;
+      }
       const double value = signed_value();
+      --depth_;
       return is_logical(value) ? 1 - value : kUnknownValue;
     }
     if (name == "R" && c_.peek() == '[') return indexed_parameter();

@@ -10,9 +10,20 @@ namespace {
 using Form = SiemensWord::Form;
 
 // Addresses whose values a code or a mode takes.
-constexpr auto kAddresses = std::to_array<std::string_view>(
-    {"X",  "Y",  "Z",    "A", "B",  "C", "A3", "B3", "C3",   "I",       "J",    "K",    "I1",  "J1",
-     "K1", "CR", "TURN", "F", "AR", "D", "T",  "P",  "ADIS", "ADISPOS", "CTOL", "OTOL", "RPL", "L"});
+constexpr std::string_view kLetters = "XYZABCIJKFDTPL";
+constexpr auto kLongAddresses = std::to_array<std::string_view>(
+    {"A3", "B3", "C3", "I1", "J1", "K1", "CR", "TURN", "AR", "ADIS", "ADISPOS", "CTOL", "OTOL", "RPL"});
+
+bool is_address(std::string_view name) {
+  if (name.size() == 1) return kLetters.find(name[0]) != std::string_view::npos;
+  return std::ranges::find(kLongAddresses, name) != kLongAddresses.end();
+}
+
+// Most names are one letter, for which no call of a comparison of texts pays.
+bool is_name(const SiemensWord& word, std::string_view name) {
+  if (word.name.size() != name.size() || word.name[0] != name[0]) return false;
+  return name.size() == 1 || word.name == name;
+}
 
 bool is_of_fixed_point(std::string_view name) {
   return name.size() == 2 && std::string_view("XYZABC").find(name[0]) != std::string_view::npos && name[1] == '1';
@@ -32,7 +43,7 @@ bool is_spindle_code(const SiemensWord& word) {
 
 const SiemensWord* SiemensWords::value(std::string_view address) const {
   for (const SiemensWord* word : values_)
-    if (word->name == address) return word;
+    if (is_name(*word, address)) return word;
   return nullptr;
 }
 
@@ -69,8 +80,7 @@ std::string SiemensWords::take_value(const SiemensWord& word) {
   if (!word.text.empty() && word.name != "T") return word.name + " has a text in place of a number";
   const bool is_spindle = word.name == "M1" && is_spindle_code(word);
   if (word.name == "M1" && !is_spindle) return text_of(word) + " is no code of a spindle";
-  const bool is_known_address = std::ranges::find(kAddresses, word.name) != kAddresses.end() ||
-                                is_harmless_value(word.name) ||
+  const bool is_known_address = is_address(word.name) || is_harmless_value(word.name) ||
                                 (is_of_fixed_point(word.name) && code(SiemensMeaning::leave_to_fixed_point) != nullptr);
   if (!is_known_address) return text_of(word) + " is not in the table of Siemens 840D";
   values_.push_back(&word);

@@ -80,6 +80,14 @@ TEST(SiemensMutations, DamageOfACleanProgramMovesNothingUnseen) {
   }
 }
 
+TEST(SiemensMutations, DeepExpressionsDoNotEndTheReader) {
+  for (const char* piece : {"NOT ", "(", "-(", "SIN(", "R[", "1+("}) {
+    std::string value;
+    for (int i = 0; i < 200'000; ++i) value += piece;
+    EXPECT_FALSE(can_be_clean(test::read_siemens(kHead + "R1=" + value + "\nG1 X=R1 F100\nM30\n"))) << piece;
+  }
+}
+
 TEST(SiemensMutations, RandomBytesDoNotEndTheReader) {
   Scatter scatter(840);
   constexpr std::string_view kPieces[] = {
