@@ -25,12 +25,12 @@ std::string SiemensRunner::missing_fact() const {
 }
 
 void SiemensRunner::move() {
+  if (const auto* const stated = words_.code_of(SiemensGroup::motion)) modes_.motion = stated->row;
   if (words_.code(Meaning::dwell) != nullptr) return;
   if (const auto* const code = words_.code(Meaning::leave_to_fixed_point))
     return motion_.go_unchecked(MoveKind::rapid, AxisPlace{},
                                 code->word->name + " moves to a point that only the control knows");
   take_cycle();
-  if (const auto* const stated = words_.code_of(SiemensGroup::motion)) modes_.motion = stated->row;
   const auto* const frame = words_.code_of(SiemensGroup::frame);
   if (frame != nullptr) return;
   if (!words_.has_axes() && !words_.has_arc_words()) return;

@@ -55,6 +55,9 @@ SiemensNext SiemensRunner::run(const SiemensBlock& block, std::size_t line) {
   if (block.words.empty()) return {};
   take_codes();
   if (motion_.is_rest_unknown() || error_) return {};
+  const bool has_lengths =
+      words_.has_axes() || words_.has_arc_words() || words_.code_of(SiemensGroup::frame) != nullptr;
+  if (!modes_.unit && has_lengths) modes_.has_places_without_unit = true;
   move();
   return take_flow();
 }
@@ -125,6 +128,8 @@ void SiemensRunner::take_mode(const SiemensWords::Code& code) {
 }
 
 void SiemensRunner::take_unit(LengthUnit unit, const std::string& word) {
+  if (modes_.has_places_without_unit)
+    return lose_rest(word + " states the unit, and positions stand before it; expected --path-units", line_);
   if (unit_line_ == 0) {
     unit_line_ = line_;
     input_.path.unit = unit;

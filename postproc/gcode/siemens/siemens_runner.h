@@ -38,6 +38,7 @@ struct SiemensModes {
   std::optional<PlaneAxes> plane;
   std::optional<bool> is_absolute;
   std::optional<LengthUnit> unit;
+  bool has_places_without_unit = false;
   FeedUnit feed_unit = FeedUnit::per_minute;
   std::optional<double> feed;
   SiemensBlending blending;

@@ -242,6 +242,18 @@ TEST(SiemensTraps, TheEndOfAProgramInASubprogram) {
   expect_open("R2=3\nFOR R1=1 TO R2\nR2=5\nENDFOR\nG1 X1 F100", "a limit of FOR changes");
 }
 
+TEST(SiemensTraps, AUnitBehindPositions) {
+  const ReadOutcome outcome =
+      test::read_siemens("G17 G90 G94 G60 G54\nT1 M6\nG0 X0 Y0 Z9 D1\nG1 X1 F100\nG710\nX2\nM30\n");
+  EXPECT_FALSE(test::can_be_clean(outcome));
+  EXPECT_NE(test::reasons_of(outcome).find("G710 states the unit"), std::string::npos) << test::reasons_of(outcome);
+}
+
+TEST(SiemensTraps, ADwellKeepsTheCodeOfMotion) {
+  const Toolpath path = test::path_of_siemens(kHead + "G1 G4 F2\nX5\nM30\n");
+  EXPECT_EQ(path.moves.back().kind, MoveKind::feed);
+}
+
 TEST(SiemensTraps, TipControlThatNothingStates) {
   ProgramSetup setup = full_setup();
   const ReadOutcome outcome = test::read_siemens(
