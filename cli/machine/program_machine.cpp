@@ -6,9 +6,8 @@ namespace gouge {
 
 std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const ProgramSetup>& setup,
                                                  const Machine& machine, const StatedMachine& stated,
-                                                 const std::optional<TurnLaw>& joint_rapids,
-                                                 const std::optional<double>& tip_tolerance_mm,
                                                  const std::optional<TurnLaws>& laws,
+                                                 const std::optional<double>& tip_tolerance_mm,
                                                  const std::optional<double>& axis_tolerance_rad) {
   ProgramSetup full = setup ? *setup : ProgramSetup{};
   full.machine = std::make_shared<const Machine>(machine);
@@ -17,8 +16,12 @@ std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const Pro
   if (!stated.zero.empty()) full.zero = parse_place(stated.zero);
   full.tool_length_mm = stated.tool_length_mm;
   full.tip_tolerance_mm = tip_tolerance_mm;
-  full.laws = laws;
   full.axis_tolerance_rad = axis_tolerance_rad;
+  const Control& control = machine.control;
+  full.laws = laws;
+  if (!laws && control.feed_law && control.rapid_law)
+    full.laws = TurnLaws{*control.feed_law, *control.rapid_law, control.joint_rapid_law};
+  const std::optional<TurnLaw> joint_rapids = laws ? laws->joint_rapids : control.joint_rapid_law;
   full.are_joint_rapids_straight = joint_rapids == TurnLaw::joint;
   return std::make_shared<const ProgramSetup>(std::move(full));
 }
