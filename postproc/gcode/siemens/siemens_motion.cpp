@@ -201,6 +201,10 @@ void SiemensRunner::move_to_machine_axes(MoveKind kind, const SiemensWords::Code
     axes[i] = word->value * mm_per_unit();
     has_step = has_step || is_incremental(*word) || !is_known(word->value);
   }
+  const TipControl control = motion_.tip_control();
+  if (control == TipControl::on) to.open = code.word->name + " while TRAORI is in force";
+  if (control == TipControl::unknown)
+    to.open = "nothing states TRAORI or TRAFOOF before " + code.word->name + "; expected --start TRAFOOF";
   // A parameter of the control states whether these words suppress the length too.
   if (modes_.edge > 0 && is_known(axes.z())) to.open = "SUPA or G153 with Z while a length is in force; expected D0";
   place_rotaries(to);

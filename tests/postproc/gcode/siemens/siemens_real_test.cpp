@@ -95,6 +95,7 @@ TEST(SiemensReal, TheSpinnerProgramWithoutFactsListsItsBlocks) {
   setup.machine = test::table_machine();
   const ReadOutcome outcome = test::read_siemens(text, setup);
   EXPECT_FALSE(test::can_be_clean(outcome));
+  EXPECT_TRUE(is_gcode(text));
   EXPECT_NE(test::reasons_of(outcome).find("M50"), std::string::npos) << test::reasons_of(outcome);
 }
 

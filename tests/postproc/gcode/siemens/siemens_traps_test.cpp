@@ -201,6 +201,9 @@ TEST(SiemensTraps, FixedPointsAndPlacesOfTheMachine) {
   expect_open("SUPA G0 X5", "--offset");
   expect_open("SUPA G0 Z5", "expected D0");
   expect_open("SUPA G91 G0 X5", "absolute values");
+  ProgramSetup setup;
+  setup.offsets["G54"] = WorkOffset{};
+  expect_open("TRAORI\nG0 X1 Y1 Z1 A3=0 C3=1\nSUPA G0 X5", "while TRAORI is in force", setup);
 }
 
 TEST(SiemensTraps, RotaryAxesNeedTheirMachine) {

@@ -23,6 +23,12 @@ TEST(SiemensWords, CoordinatesAreAbsoluteOrSteps) {
   expect_at(tip_after("g1 x1 y2 z=10EX-1 f100\n"), 1, 2, 1);
 }
 
+TEST(SiemensWords, ProgramsAreRecognised) {
+  const std::string blocks = "N10 DEF REAL _A\nN20 G710 G17\nN30 TRAFOOF\nN40 _A=5\nN50 G0 X=_A\n";
+  EXPECT_TRUE(is_gcode(blocks));
+  EXPECT_FALSE(is_gcode("PARTNO/A\nINSERT/TRAORI\nGOTO/1,2,3\nGOTO/1,2,4\nGOTO/1,2,5\nGOTO/1,2,6\nFINI\n"));
+}
+
 TEST(SiemensWords, InchesAreConverted) {
   expect_at(tip_after("G70\nG1 X1 Y2 Z0.5 F100\n"), 25.4, 50.8, 12.7);
   expect_at(tip_after("G700\nTRANS X1\nG1 X1 Y2 Z0.5 F100\nG710\nZ3\n"), 50.8, 50.8, 3);
