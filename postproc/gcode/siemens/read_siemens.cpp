@@ -69,8 +69,13 @@ ProgramFacts run_siemens(const ProgramInput& input) {
   run.run_start(input.options.setup.start);
   find_text_outside(text, runner);
   run.run();
-  return {runner.unit_line(), input.path.unit == LengthUnit::inch ? "G70" : "G71", runner.offset_line(), run.end_line(),
-          runner.error()};
+  ProgramFacts facts;
+  facts.unit_line = runner.unit_line();
+  facts.unit_word = input.path.unit == LengthUnit::inch ? "G70" : "G71";
+  facts.offset_line = runner.offset_line();
+  facts.end_line = run.end_line();
+  facts.error = runner.error();
+  return facts;
 }
 
 }  // namespace gouge
