@@ -76,6 +76,7 @@ inline std::string reasons_of(const ReadOutcome& outcome) {
 
 /// Returns the tip at the end of the last move of blocks that follow the head; they must all be checked.
 inline Vec3 tip_after(const std::string& blocks, ProgramSetup setup = {}) {
+  setup.are_joint_rapids_straight = true;
   const ReadOutcome outcome = read_siemens(kHead + blocks + "M30\n", std::move(setup));
   EXPECT_TRUE(can_be_clean(outcome)) << blocks << reasons_of(outcome);
   if (!outcome.toolpath || outcome.toolpath->moves.empty()) return Vec3::Constant(AxisPlace::kUnknownCoordinate);
