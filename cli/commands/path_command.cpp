@@ -221,7 +221,9 @@ std::optional<Diagnostic> complete_program(const PathArguments& arguments, ReadO
   if (arguments.stated.machine.empty()) return std::nullopt;
   const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
   if (!machine) return machine.error();
-  options.program = with_machine(options.program, *machine, arguments.stated, std::nullopt, std::nullopt);
+  options.program = with_machine(options.program, *machine, arguments.stated, std::nullopt,
+                                 stated_tolerance(machine->control.tip_tolerance_mm),
+                                 stated_tolerance(machine->control.axis_tolerance_rad));
   return std::nullopt;
 }
 

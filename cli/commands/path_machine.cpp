@@ -173,7 +173,9 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   std::string lengths;
   if (auto error = read_tool_lengths(arguments.reading, arguments.input.max_bytes, reading, lengths))
     return fail(err, {*error});
-  reading.program = with_machine(reading.program, *machine, arguments.stated, std::nullopt, std::nullopt);
+  reading.program = with_machine(reading.program, *machine, arguments.stated, std::nullopt,
+                                 stated_tolerance(machine->control.tip_tolerance_mm),
+                                 stated_tolerance(machine->control.axis_tolerance_rad));
   reading.program = with_files_beside(reading.program, arguments.path, arguments.input.max_bytes, {});
   ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), reading);
   if (!outcome.toolpath) return fail(err, outcome.errors);

@@ -110,8 +110,10 @@ class JobLoader {
     }
     const double tip_mm =
         a.tip_tolerance.empty() ? chosen->machine.control.tip_tolerance_mm : job_.options.check.tube.tip_mm;
+    const double axis_rad =
+        a.axis_tolerance.empty() ? chosen->machine.control.axis_tolerance_rad : job_.options.check.tube.axis_rad;
     job_.options.reading.program = with_machine(job_.options.reading.program, chosen->machine, stated_machine(),
-                                                chosen->laws, tip_mm > 0 ? std::optional(tip_mm) : std::nullopt);
+                                                chosen->laws, stated_tolerance(tip_mm), stated_tolerance(axis_rad));
     return true;
   }
 

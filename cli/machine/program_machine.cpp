@@ -7,7 +7,8 @@ namespace gouge {
 std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const ProgramSetup>& setup,
                                                  const Machine& machine, const StatedMachine& stated,
                                                  const std::optional<TurnLaws>& laws,
-                                                 const std::optional<double>& tip_tolerance_mm) {
+                                                 const std::optional<double>& tip_tolerance_mm,
+                                                 const std::optional<double>& axis_tolerance_rad) {
   ProgramSetup full = setup ? *setup : ProgramSetup{};
   full.machine = std::make_shared<const Machine>(machine);
   if (full.control.empty()) full.control = machine.control.program;
@@ -15,7 +16,12 @@ std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const Pro
   if (!stated.zero.empty()) full.zero = parse_place(stated.zero);
   full.tool_length_mm = stated.tool_length_mm;
   full.tip_tolerance_mm = tip_tolerance_mm;
-  const std::optional<TurnLaw> joint_rapids = laws ? laws->joint_rapids : machine.control.joint_rapid_law;
+  full.axis_tolerance_rad = axis_tolerance_rad;
+  const Control& control = machine.control;
+  full.laws = laws;
+  if (!laws && control.feed_law && control.rapid_law)
+    full.laws = TurnLaws{*control.feed_law, *control.rapid_law, control.joint_rapid_law};
+  const std::optional<TurnLaw> joint_rapids = laws ? laws->joint_rapids : control.joint_rapid_law;
   full.are_joint_rapids_straight = joint_rapids == TurnLaw::joint;
   full.feed_law = laws ? std::optional(laws->feeds) : machine.control.feed_law;
   return std::make_shared<const ProgramSetup>(std::move(full));

@@ -8,11 +8,18 @@
 
 namespace gouge {
 
+/// Returns a tolerance of a control or of an option; none: 0, which states none.
+[[nodiscard]] inline std::optional<double> stated_tolerance(double value) {
+  return value > 0 ? std::optional(value) : std::nullopt;
+}
+
 /// Returns the set-up of a program with the facts of a machine: its joints, its control and the blocks in force at the
-/// start. `laws`: of the check; none: those of the control. What the set-up states already stays. `stated` and `bytes`: as of load_machine.
+/// start. What the set-up states already stays. `laws`: of the check; none: those of the control. `stated`: as of
+/// load_machine.
 [[nodiscard]] std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const ProgramSetup>& setup,
                                                                const Machine& machine, const StatedMachine& stated,
                                                                const std::optional<TurnLaws>& laws,
-                                                               const std::optional<double>& tip_tolerance_mm);
+                                                               const std::optional<double>& tip_tolerance_mm,
+                                                               const std::optional<double>& axis_tolerance_rad);
 
 }  // namespace gouge

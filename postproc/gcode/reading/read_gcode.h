@@ -12,7 +12,7 @@ namespace gouge {
 
 /// Returns all controls whose programs are read, in the order for the user.
 [[nodiscard]] std::span<const ProgramLanguage> all_languages();
-/// Returns "linuxcnc, haas or fanuc".
+/// Returns "linuxcnc, haas, fanuc or siemens".
 [[nodiscard]] std::string language_names();
 
 /// Returns whether a text is certainly a program of one of them.

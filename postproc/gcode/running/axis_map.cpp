@@ -101,15 +101,20 @@ AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) cons
     map.origin += state.excess_length_mm * along;
   }
   if (!state.open_length.empty()) map.open = state.open_length;
-  if (!state.plane) return map;
-  const Eigen::Matrix3d work = map.linear;
-  if (!state.is_aligned) {
+  if (state.plane && !state.is_aligned) {
     map.open = "a tilted frame is in force, and the tool is not aligned with it";
     return map;
   }
-  map.origin = work * state.plane->shift + map.origin;
-  map.linear = work * state.plane->rotation;
-  map.axis = map.linear.col(2).normalized();
+  if (state.plane) {
+    const Eigen::Matrix3d work = map.linear;
+    map.origin = work * state.plane->shift + map.origin;
+    map.linear = work * state.plane->rotation;
+    map.axis = map.linear.col(2).normalized();
+  }
+  if (state.frame) {
+    map.origin = map.tip(state.frame->shift);
+    map.linear = map.linear * state.frame->linear;
+  }
   return map;
 }
 

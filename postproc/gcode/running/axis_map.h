@@ -17,11 +17,25 @@ enum class TipControl : std::uint8_t {
   unknown         ///< nothing states which
 };
 
+/// A frame of the program: shift, turn, mirror and scale, without a motion of the tool's axis. The map x -> linear * x + shift,
+/// mm.
+struct ProgramFrame {
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+  Vec3 shift = Vec3::Zero();
+
+  [[nodiscard]] Vec3 point(const Vec3& x) const { return linear * x + shift; }
+  /// Returns the frame that applies `inner` first.
+  [[nodiscard]] ProgramFrame after(const ProgramFrame& inner) const {
+    return {linear * inner.linear, linear * inner.shift + shift};
+  }
+};
+
 /// Frame and length that are in force for positions.
 struct AxisFrame {
   TipControl tip_control = TipControl::off;
   Vec3 shift_mm = Vec3::Zero();         ///< work zero from machine zero of the joint values
   std::optional<RigidTransform> plane;  ///< tilted frame, in the coordinates of the work offset
+  std::optional<ProgramFrame> frame;    ///< in the coordinates of `plane`, or of the work offset
   bool is_aligned = false;              ///< the tool axis is that of the tilted frame
   double tool_length_mm = 0;            ///< from the gauge point to the tip
   double excess_length_mm = 0;          ///< length that the control applies, beyond the true one

@@ -19,11 +19,30 @@ bool is_complete(const Vec3& xyz) { return !xyz.hasNaN(); }
 bool is_same_angle(double a, double b) { return std::abs(a - b) <= kSameAngle_rad; }
 
 bool turns(const AxisPlace& from, const AxisPlace& to) {
+  if (from.axis && to.axis) return !from.axis->isApprox(*to.axis, kSameAngle_rad);
   for (std::size_t k = 0; k < 2; ++k) {
     const bool is_unknown_alike = !is_known(from.angles[k]) && !is_known(to.angles[k]);
     if (!is_unknown_alike && !is_same_angle(from.angles[k], to.angles[k])) return true;
   }
   return false;
+}
+
+/// Returns the scale of a map that keeps the shape of circles, negative for one that mirrors; none: it does not.
+std::optional<double> arc_scale(const Eigen::Matrix3d& linear) {
+  const Eigen::Matrix3d square = linear.transpose() * linear;
+  const double scale = std::sqrt(square.trace() / 3);
+  const Eigen::Matrix3d off = square / (scale * scale) - Eigen::Matrix3d::Identity();
+  if (!(scale > 0) || !(off.cwiseAbs().maxCoeff() <= Tolerance::kRounding)) return std::nullopt;
+  return linear.determinant() < 0 ? -scale : scale;
+}
+
+/// Returns linear * x, where a row that does not depend on an unknown coordinate stays known.
+Vec3 apply_known(const Eigen::Matrix3d& linear, const Vec3& x) {
+  Vec3 y = Vec3::Zero();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (std::abs(linear(i, j)) > 0) y[i] += linear(i, j) * x[j];
+  return y;
 }
 
 }  // namespace
@@ -46,15 +65,20 @@ const AxisMap& ProgramMotion::map_at(const RotaryAngles& angles) {
   return map_;
 }
 
+// An axis that the program states does not change how coordinates lead to the tip.
+const AxisMap& ProgramMotion::map_at(const AxisPlace& place) {
+  return map_at(place.axis ? RotaryAngles{0, 0} : place.angles);
+}
+
 // The machine stands while a frame or a length changes: the tip keeps its place, and the coordinates become others.
 template <typename Change>
 void ProgramMotion::change_state(const Change& change) {
-  const AxisMap before = map_at(place_.angles);
+  const AxisMap before = map_at(place_);
   const std::string& offset_doubt = doubts_[static_cast<std::size_t>(ProgramDoubt::offset)];
   const bool is_doubtful = !before.open.empty() || !offset_doubt.empty();
   change();
   is_map_current_ = false;
-  const AxisMap& after = map_at(place_.angles);
+  const AxisMap& after = map_at(place_);
   Vec3& xyz = place_.xyz;
   const bool is_known_now = !is_doubtful && after.open.empty() && offset_doubt.empty();
   const bool is_same_map = before.linear == after.linear && before.origin == after.origin;
@@ -131,6 +155,31 @@ Vec3 ProgramMotion::from_machine(const Vec3& machine_mm) const {
   return xyz;
 }
 
+bool ProgramMotion::is_offset_given() const { return setup_.offsets.contains(offset_name_) || setup_.zero.has_value(); }
+
+Vec3 ProgramMotion::from_machine_axes(const Vec3& axes_mm) const {
+  const bool is_of_joints = state_.tip_control == TipControl::off || !mapper_.has_machine();
+  const bool is_open = state_.plane || !is_of_joints || !is_offset_given() ||
+                       !doubts_[static_cast<std::size_t>(ProgramDoubt::offset)].empty() ||
+                       !doubts_[static_cast<std::size_t>(ProgramDoubt::frame)].empty();
+  if (is_open) return Vec3::Constant(AxisPlace::kUnknownCoordinate);
+  const auto found = setup_.offsets.find(offset_name_);
+  const ProgramFrame frame = state_.frame.value_or(ProgramFrame{});
+  const Vec3 origin = frame.shift + (found != setup_.offsets.end() ? found->second.xyz_mm : setup_.zero->shift);
+  // The axes at which the tool stands now, as far as they are known.
+  Vec3 axes = apply_known(frame.linear, place_.xyz) + origin;
+  for (int i = 0; i < 3; ++i)
+    if (is_known(axes_mm[i])) axes[i] = axes_mm[i];
+  return apply_known(frame.linear.inverse(), Vec3(axes - origin));
+}
+
+std::optional<Vec3> ProgramMotion::direction_in_part(const Vec3& direction) {
+  const AxisMap& map = map_at(RotaryAngles{0, 0});
+  const auto scale = arc_scale(map.linear);
+  if (!map.open.empty() || !scale || *scale < 0 || !(direction.norm() > 0)) return std::nullopt;
+  return Vec3(map.linear * direction).normalized();
+}
+
 std::optional<int> ProgramMotion::tool_number() const {
   return tool_ == kNone ? std::nullopt : builder_.path.tools[tool_].number;
 }
@@ -145,7 +194,10 @@ std::optional<double> ProgramMotion::length_of(std::optional<int> number) const 
 
 void ProgramMotion::set_tip_control(TipControl control) {
   if (state_.tip_control == control) return;
-  change_state([&] { state_.tip_control = control; });
+  change_state([&] {
+    state_.tip_control = control;
+    place_.axis.reset();  // the angles that it stands for are not known
+  });
 }
 
 void ProgramMotion::set_plane(const std::optional<RigidTransform>& plane) {
@@ -154,6 +206,11 @@ void ProgramMotion::set_plane(const std::optional<RigidTransform>& plane) {
     state_.plane = plane;
     state_.is_aligned = false;
   });
+}
+
+void ProgramMotion::set_frame(const std::optional<ProgramFrame>& frame) {
+  if (!frame && !state_.frame) return;
+  change_state([&] { state_.frame = frame; });
 }
 
 void ProgramMotion::align_to_plane() {
@@ -169,7 +226,10 @@ void ProgramMotion::align_to_plane() {
 void ProgramMotion::settle_length() {
   const std::optional<int> tool = tool_number();
   const std::optional<double> true_length = length_of(tool);
-  const std::string name = tool ? "T" + std::to_string(*tool) : "the tool";
+  const bool is_named = tool_ != kNone && !builder_.path.tools[tool_].name.empty();
+  const std::string name = tool       ? "T" + std::to_string(*tool)
+                           : is_named ? "tool " + builder_.path.tools[tool_].name
+                                      : "the tool";
   state_.tool_length_mm = true_length.value_or(0);
   state_.excess_length_mm = 0;
   state_.open_length.clear();
@@ -201,9 +261,9 @@ void ProgramMotion::settle_length() {
 }
 
 void ProgramMotion::change_tool(const PathTool& tool) {
-  if (tool_ == kNone || builder_.path.tools[tool_].number != tool.number) ++tools_loaded_;
-  const auto same =
-      std::ranges::find_if(builder_.path.tools, [&](const PathTool& one) { return one.number == tool.number; });
+  const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
+  if (tool_ == kNone || !is_same(builder_.path.tools[tool_])) ++tools_loaded_;
+  const auto same = std::ranges::find_if(builder_.path.tools, is_same);
   tool_ = static_cast<std::size_t>(same - builder_.path.tools.begin());
   if (same == builder_.path.tools.end()) builder_.path.tools.push_back(tool);
   chain_.break_off();
@@ -241,9 +301,12 @@ const std::string* ProgramMotion::first_doubt() const {
 }
 
 ProgramMotion::Reached ProgramMotion::reached(const AxisPlace& to) {
-  const AxisMap& map = map_at(to.angles);
+  const AxisMap& map = map_at(to);
   if (!map.open.empty()) return {{}, map.open};
   if (!is_complete(to.xyz)) return {{}, "the place of the tool is not known"};
+  if (to.axis && std::abs(state_.excess_length_mm) > 0)
+    return {{}, "the length that is applied is not that of the tool, whose axis the program states"};
+  if (to.axis) return {{map.tip(to.xyz), *to.axis}, {}};
   return {{map.tip(to.xyz), map.axis}, {}};
 }
 
@@ -265,7 +328,7 @@ std::string ProgramMotion::why_not_motion(MoveKind kind, const AxisPlace& to, bo
     return "nothing states whether tool centre point control is on";
   if (is_turning && is_arc && state_.tip_control != TipControl::on)
     return "rotary joints turn along an arc without tool centre point control";
-  const bool has_no_angles = !is_known(to.angles[0]) || !is_known(to.angles[1]);
+  const bool has_no_angles = !to.axis && (!is_known(to.angles[0]) || !is_known(to.angles[1]));
   if (has_no_angles && kind == MoveKind::rapid && !setup_.are_joint_rapids_straight && !are_rapids_together_)
     return "the positions of the rotary joints are not known";
   return {};
@@ -299,6 +362,7 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
     move.curve_kind = CurveKind::none;
     if (move.kind == MoveKind::arc) move.kind = MoveKind::feed;
   }
+  if (mapper_.has_machine() && to.axis && move.not_checked_reason.empty()) unknown_angles_.add(line_);
   AxisPlace stored = to;
   if (!is_end_known) stored.angles = {AxisPlace::kUnknownCoordinate, AxisPlace::kUnknownCoordinate};
   store_angles(move, stored);
@@ -355,10 +419,12 @@ void ProgramMotion::go_round(const AxisPlace& to, const ProgramArc& arc) {
   Move move;
   move.kind = MoveKind::arc;
   std::string reason = why_not_motion(MoveKind::arc, to, true);
-  const AxisMap& map = map_at(to.angles);
-  if (reason.empty() && map.linear.determinant() < 0) reason = "the axes X, Y and Z of the machine are left-handed";
+  const AxisMap& map = map_at(to);
+  const auto scale = arc_scale(map.linear);
+  if (reason.empty() && !scale) reason = "the frame scales the axes of an arc differently";
   if (reason.empty() && end.open.empty() && chain_.last_pose()) {
-    PathArc made{map.tip(arc.centre), (map.linear * arc.axis).normalized(), arc.sweep_rad};
+    // A mirrored frame turns the arc the other way about the image of its axis.
+    PathArc made{map.tip(arc.centre), (map.linear * arc.axis).normalized() * (*scale < 0 ? -1 : 1), arc.sweep_rad};
     builder_.make_room(builder_.path.arcs);
     move.curve = builder_.path.arcs.size();
     move.curve_kind = CurveKind::arc;
@@ -371,6 +437,9 @@ void ProgramMotion::go_round(const AxisPlace& to, const ProgramArc& arc) {
 void ProgramMotion::finish() {
   if (joints_ != nullptr) builder_.path.joints = joints_;
   chain_.write_note();
+  builder_.report(
+      Severity::warning, "gcode-joints", unknown_angles_, "move",
+      " with the tool axis as a vector: the positions of the rotary joints, and their limits, are not known");
   builder_.report(Severity::note, "gcode-approach", approach_, "rapid",
                   " before all coordinates of the tool are known: nothing is swept there");
 }

@@ -22,6 +22,7 @@ namespace gouge {
 struct AxisPlace {
   Vec3 xyz = Vec3::Constant(kUnknownCoordinate);
   RotaryAngles angles{kUnknownCoordinate, kUnknownCoordinate};
+  std::optional<Vec3> axis;  ///< tool axis in the part, where the program states it in place of the angles
 
   static constexpr double kUnknownCoordinate = std::numeric_limits<double>::quiet_NaN();
 };
@@ -63,6 +64,8 @@ class ProgramMotion {
   void set_tip_control(TipControl control);
   /// Sets the tilted frame, in the coordinates of the work offset; none: ends it.
   void set_plane(const std::optional<RigidTransform>& plane);
+  /// Sets the frame of the program, in the coordinates of the tilted frame or of the work offset; none: ends it.
+  void set_frame(const std::optional<ProgramFrame>& frame);
   /// Aligns the tool axis with the tilted frame. The motion to it is not checked. Later angles are not known.
   void align_to_plane();
   /// Loads a tool. Where the machine is afterwards is not known.
@@ -95,6 +98,14 @@ class ProgramMotion {
   [[nodiscard]] const AxisPlace& place() const { return place_; }
   /// Returns the coordinates of the program at a place of the machine; unknown: the work offset is not given.
   [[nodiscard]] Vec3 from_machine(const Vec3& machine_mm) const;
+  /// Returns the coordinates of the program where the axes of the machine, with the length that is applied, stand at these
+  /// values. An axis that is not known keeps its place. Unknown: the work offset is not given, or tool centre point control
+  /// or a tilted frame is in force.
+  [[nodiscard]] Vec3 from_machine_axes(const Vec3& axes_mm) const;
+  /// Returns whether the place of the machine's zero is given for the work offset in force.
+  [[nodiscard]] bool is_offset_given() const;
+  /// Returns a direction of the program in the part; none: the frame in force distorts it, or is not known.
+  [[nodiscard]] std::optional<Vec3> direction_in_part(const Vec3& direction);
   [[nodiscard]] double angle_from_program(std::size_t rotary, double degrees) const;
   [[nodiscard]] TipControl tip_control() const { return state_.tip_control; }
   [[nodiscard]] const AxisMapper& mapper() const { return mapper_; }
@@ -119,6 +130,7 @@ class ProgramMotion {
   };
 
   [[nodiscard]] const AxisMap& map_at(const RotaryAngles& angles);
+  [[nodiscard]] const AxisMap& map_at(const AxisPlace& place);
   [[nodiscard]] Reached reached(const AxisPlace& to);
   [[nodiscard]] const std::string* first_doubt() const;
   [[nodiscard]] std::string why_not_motion(MoveKind kind, const AxisPlace& to, bool is_arc) const;
@@ -155,7 +167,7 @@ class ProgramMotion {
   std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
   bool are_rapids_together_ = false;
   std::shared_ptr<JointPath> joints_;
-  Tally approach_;
+  Tally approach_, unknown_angles_;
 };
 
 }  // namespace gouge

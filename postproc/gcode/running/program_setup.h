@@ -47,7 +47,9 @@ struct ProgramSetup {
   std::vector<std::string> tip_control_ends;  ///< codes that end tool centre point control: "G255"
   std::optional<bool> is_block_delete_on;     ///< blocks with a slash are left out
   std::optional<double> tip_tolerance_mm;     ///< the check covers this distance of the tip from its path
+  std::optional<double> axis_tolerance_rad;   ///< the check covers this angle of the tool axis from its law
   bool are_joint_rapids_straight = false;     ///< rapids without tool centre point control run evenly
+  std::optional<TurnLaws> laws;               ///< by which the tool turns in the check; none: vector
   std::optional<bool> winds_as_programmed;    ///< an absolute rotary word states the turn; none: as the control does
   TipFrame tip_frame = TipFrame::not_stated;
   std::optional<TurnLaw> feed_law;  ///< by which the check moves feeds with tool centre point control

@@ -1,0 +1,81 @@
+#include "postproc/gcode/siemens/read_siemens.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lib/base/number_text.h"
+#include "postproc/gcode/siemens/siemens_lexer.h"
+#include "postproc/gcode/siemens/siemens_run.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kLinesToRecognise = 300;
+
+constexpr auto kMarks = std::to_array<std::string_view>(
+    {"TRAORI", "TRAFOOF", "SUPA", "CYCLE800", "CYCLE832", "CYCLE81", "DEF REAL", "G710", "MCALL"});
+
+bool is_mark_in(std::string_view line) {
+  std::string text(without_comment(line));
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return std::ranges::any_of(kMarks, [&](std::string_view mark) { return text.find(mark) != std::string::npos; });
+}
+
+/// Returns whether a program changes the tool by M6. Then T only prepares it.
+bool has_tool_code(const ProgramText& text) {
+  const SiemensVariables variables;
+  SiemensBlock block;
+  for (std::size_t i = text.begin(); i < text.end(); ++i) {
+    if (text.line(i).find_first_of("Mm") == std::string_view::npos) continue;
+    read_siemens_block(text.line(i), variables, block);
+    if (std::ranges::find(block.words, "M6", &SiemensWord::name) != block.words.end()) return true;
+  }
+  return false;
+}
+
+/// Text before a percent sign that is not in the first line would be left out unseen.
+void find_text_outside(const ProgramText& text, SiemensRunner& runner) {
+  SiemensBlock block;
+  const SiemensVariables variables;
+  for (std::size_t i = 0; i < text.begin(); ++i) {
+    read_siemens_block(text.line(i), variables, block);
+    if (!block.is_empty())
+      return runner.lose_rest("a block before the percent sign at which the program begins", text.number(i));
+  }
+}
+
+}  // namespace
+
+bool is_siemens_program(std::string_view bytes) {
+  std::size_t blocks = 0, others = 0;
+  bool has_mark = false;
+  for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kLinesToRecognise; ++lines) {
+    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+    const std::string_view line = trim_blanks(bytes.substr(at, end - at));
+    at = end + 1;
+    if (line.empty() || line[0] == '%' || line[0] == ';') continue;
+    const SiemensLineStart start = read_siemens_start(line);
+    (start.number.empty() ? others : blocks) += 1;
+    has_mark = has_mark || is_mark_in(line);
+  }
+  return has_mark && blocks > 2 && blocks > 4 * others;
+}
+
+ProgramFacts run_siemens(const ProgramInput& input) {
+  const ProgramText text(input.path.source, input.path.statements);
+  SiemensRunner runner(input, has_tool_code(text));
+  SiemensRun run(input, text, runner);
+  run.run_start(input.options.setup.start);
+  find_text_outside(text, runner);
+  run.run();
+  ProgramFacts facts;
+  facts.unit_line = runner.unit_line();
+  facts.unit_word = input.path.unit == LengthUnit::inch ? "G70" : "G71";
+  facts.offset_line = runner.offset_line();
+  facts.end_line = run.end_line();
+  facts.error = runner.error();
+  return facts;
+}
+
+}  // namespace gouge

@@ -1,0 +1,148 @@
+#include "postproc/gcode/siemens/siemens_run.h"
+
+#include <algorithm>
+
+#include "lib/base/number_text.h"
+#include "lib/base/stage.h"
+#include "postproc/gcode/siemens/siemens_lexer.h"
+
+namespace gouge {
+namespace {
+
+/// Blocks that may run beyond those of the file: loops that do not end are ended here.
+constexpr std::size_t kMaxRepeatedBlocks = 10'000'000;
+constexpr std::size_t kMaxCalls = 64;
+
+}  // namespace
+
+SiemensRun::SiemensRun(const ProgramInput& input, const ProgramText& text, SiemensRunner& runner)
+    : input_(input), runner_(runner), main_(&text), main_text_{&text, {}}, text_(&main_text_) {}
+
+void SiemensRun::lose(const std::string& reason) { runner_.lose_rest(reason, main_->number(main_at_)); }
+
+void SiemensRun::run_start(std::string_view blocks) {
+  while (!blocks.empty()) {
+    const std::size_t end = std::min(blocks.find('\n'), blocks.size());
+    read_siemens_block(blocks.substr(0, end), variables_, block_);
+    input_.motion.begin_block(0, 0);
+    if (!block_.flow_word.empty() || !block_.assignments.empty())
+      block_.error = "the blocks at the start change variables or the order of blocks";
+    const SiemensNext next = runner_.run(block_, 0);
+    if (next.kind != SiemensNext::Kind::following)
+      runner_.lose_rest("the blocks at the start call or end a program", 0);
+    blocks.remove_prefix(std::min(end + 1, blocks.size()));
+  }
+}
+
+void SiemensRun::run() {
+  Stage stage(input_.progress, "reading " + input_.path.file, main_->size());
+  const std::size_t most = main_->size() + kMaxRepeatedBlocks;
+  next_ = main_->begin();
+  for (std::size_t steps = 0; !has_ended_ && !runner_.error(); ++steps) {
+    if (!calls_.empty() && next_ == calls_.back().end && calls_.back().is_section) {
+      end_call();
+      continue;
+    }
+    if (next_ >= text_->program->end()) {
+      if (calls_.empty()) break;
+      end_call();  // a subprogram may end without a word
+      continue;
+    }
+    stage.pass(steps);
+    at_ = next_++;
+    if (text_ == &main_text_) main_at_ = at_;
+    if (steps > most) {
+      lose("the program runs more than " + std::to_string(kMaxRepeatedBlocks) +
+           " blocks again: a loop may have no end");
+      break;
+    }
+    run_block();
+  }
+}
+
+void SiemensRun::run_block() {
+  input_.motion.begin_block(main_at_, main_->number(main_at_));
+  read_siemens_block(text_->program->line(at_), variables_, block_);
+  if (is_left_out(block_.is_skippable, block_.is_empty())) return;
+  if (!block_.flow_word.empty() && !input_.motion.is_rest_unknown()) {
+    const std::string word = block_.flow_word;
+    const std::string rest(block_.flow_rest);
+    return run_flow(word, rest);
+  }
+  const SiemensNext next = runner_.run(block_, main_->number(main_at_));
+  for (const SiemensAssignment& one : block_.assignments) variables_.set(one.variable, one.value);
+  follow(next);
+}
+
+bool SiemensRun::is_left_out(bool is_skippable, bool is_empty) {
+  if (!is_skippable || is_empty) return false;
+  if (input_.options.setup.is_block_delete_on) return *input_.options.setup.is_block_delete_on;
+  lose("a block that a switch of the control leaves out; expected --block-delete on or off");
+  return true;
+}
+
+void SiemensRun::follow(const SiemensNext& next) {
+  switch (next.kind) {
+    case SiemensNext::Kind::following:
+      return;
+    case SiemensNext::Kind::call:
+      return call(next);
+    case SiemensNext::Kind::back:
+      // A section that is repeated ends with the program that it is part of.
+      while (!calls_.empty() && calls_.back().is_section) calls_.pop_back();
+      if (!calls_.empty()) return end_call();
+      [[fallthrough]];
+    case SiemensNext::Kind::end:
+      if (std::ranges::any_of(calls_, [](const Call& one) { return !one.is_section; }))
+        return lose("the end of a program in a subprogram; expected M17 or RET");
+      has_ended_ = true;
+      end_line_ = main_->number(main_at_);
+      return;
+  }
+}
+
+void SiemensRun::call(const SiemensNext& next) {
+  Text* const text = beside(next.program);
+  if (text == nullptr)
+    return lose(next.program + " is not in the table of Siemens 840D, and no program of that name is beside the file");
+  begin_call(*text, text->program->begin(), std::numeric_limits<std::size_t>::max(), next.times, false);
+}
+
+void SiemensRun::begin_call(Text& text, std::size_t begin, std::size_t end, int times, bool is_section) {
+  if (calls_.size() >= kMaxCalls) return lose("programs call each other without an end");
+  calls_.push_back({text_, next_, begin, end, times, is_section});
+  if (!is_section) variables_.begin_call();
+  text_ = &text;
+  next_ = begin;
+}
+
+void SiemensRun::end_call() {
+  Call& call = calls_.back();
+  const bool is_again = --call.times > 0;
+  if (!call.is_section) variables_.end_call();
+  if (is_again) {
+    if (!call.is_section) variables_.begin_call();
+    next_ = call.begin;
+    return;
+  }
+  text_ = call.text;
+  next_ = call.back;
+  calls_.pop_back();
+}
+
+SiemensRun::Text* SiemensRun::beside(const std::string& name) {
+  if (const auto known = besides_.find(name); known != besides_.end()) return &known->second.text;
+  if (!input_.options.setup.read_beside) return nullptr;
+  std::optional<std::string> bytes;
+  for (const char* end : {".SPF", ".spf", ".MPF", ".mpf"})
+    if (!bytes) bytes = input_.options.setup.read_beside(name + end);
+  if (!bytes) return nullptr;
+  BesideText& made = besides_[name];
+  made.bytes = std::move(*bytes);
+  add_lines(made.bytes, made.lines);
+  made.program = std::make_unique<ProgramText>(made.bytes, made.lines);
+  made.text.program = made.program.get();
+  return &made.text;
+}
+
+}  // namespace gouge

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "lib/base/parallel.h"
+#include "postproc/gcode/running/program_text.h"
+#include "postproc/gcode/siemens/siemens_block.h"
+#include "postproc/gcode/siemens/siemens_runner.h"
+#include "postproc/gcode/siemens/siemens_variables.h"
+
+namespace gouge {
+
+/// The order in which the blocks of a Siemens program run: calls, jumps, loops, repetitions and conditions.
+/// Source   Siemens, NC programming, 12/2019, 6FC5398-2EP40-0BA0, 3.1 "Flexible NC programming".
+class SiemensRun {
+ public:
+  /// All must outlive the object. `text`: of the program that is called first.
+  SiemensRun(const ProgramInput& input, const ProgramText& text, SiemensRunner& runner);
+
+  /// Runs blocks in force at the start; one a line.
+  void run_start(std::string_view blocks);
+  /// Runs the program to its end, or until nothing after it is known.
+  void run();
+
+  /// Returns the line of the block that ends the program; 0: it has none.
+  [[nodiscard]] std::size_t end_line() const { return end_line_; }
+
+ private:
+  using Labels = std::unordered_map<std::string, std::vector<std::size_t>>;
+  struct Text {
+    const ProgramText* program = nullptr;
+    std::optional<Labels> labels;  ///< lines by label and by block number; none: not looked for yet
+  };
+  struct BesideText {
+    std::string bytes;
+    SourceStatements lines;
+    std::unique_ptr<ProgramText> program;
+    Text text;
+  };
+  /// A subprogram, or a section that is repeated, and where it returns to.
+  struct Call {
+    Text* text = nullptr;
+    std::size_t back = 0, begin = 0;
+    std::size_t end = std::numeric_limits<std::size_t>::max();  ///< of a section: behind its last line
+    int times = 1;
+    bool is_section = false;
+  };
+
+  void run_block();
+  [[nodiscard]] bool is_left_out(bool is_skippable, bool is_empty);
+  void follow(const SiemensNext& next);
+  void call(const SiemensNext& next);
+  void begin_call(Text& text, std::size_t begin, std::size_t end, int times, bool is_section);
+  void end_call();
+  [[nodiscard]] Text* beside(const std::string& name);
+  void lose(const std::string& reason);
+
+  // Statements of program flow.
+  void run_flow(const std::string& word, std::string_view rest);
+  void run_if(std::string_view rest);
+  void run_loop(const std::string& word, std::string_view rest);
+  void run_loop_end(const std::string& word, std::string_view rest);
+  void run_for(std::string_view rest, bool is_next);
+  void go_to(const std::string& word, std::string_view target);
+  void repeat(const std::string& word, std::string_view rest);
+  void declare(std::string_view rest);
+  void run_proc(std::string_view rest);
+  [[nodiscard]] std::optional<std::size_t> find_pair(std::size_t from, std::string_view opening,
+                                                     std::string_view closing, bool is_forward) const;
+  [[nodiscard]] std::optional<std::size_t> find_branch() const;
+  [[nodiscard]] std::string flow_at(std::size_t index) const;
+  [[nodiscard]] std::string_view flow_rest_at(std::size_t index, std::string_view word) const;
+  [[nodiscard]] const Labels& labels();
+  [[nodiscard]] std::optional<std::size_t> only_line_of(const std::string& label);
+  void jump(std::size_t index);
+  [[nodiscard]] std::optional<bool> condition(std::string_view& text);
+  [[nodiscard]] std::optional<double> value_of(std::string_view& text);
+
+  const ProgramInput& input_;
+  SiemensRunner& runner_;
+  SiemensVariables variables_;
+  SiemensBlock block_;
+  const ProgramText* main_;
+  Text main_text_;
+  Text* text_;
+  std::size_t at_ = 0, next_ = 0;  // the block that runs, and the next one
+  std::size_t main_at_ = 0;        // the block of the file that runs, or calls
+  std::vector<Call> calls_;
+  std::map<std::string, BesideText> besides_;
+  std::map<std::pair<const Text*, std::size_t>, double> limits_;  // of FOR, by its line
+  std::size_t end_line_ = 0;
+  bool has_ended_ = false;
+};
+
+}  // namespace gouge

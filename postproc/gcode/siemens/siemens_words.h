@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "postproc/gcode/siemens/siemens_block.h"
+#include "postproc/gcode/siemens/siemens_table.h"
+
+namespace gouge {
+
+/// The words of one block with their rows. Only words of the table, and values that one of them takes, are accepted.
+class SiemensWords {
+ public:
+  struct Code {
+    const SiemensRow* row;
+    const SiemensWord* word;
+  };
+
+  /// Takes the words of a block, which must outlive their use. Returns why they are not understood; empty: they are.
+  /// `harmless`: names that the user states to be without effect.
+  [[nodiscard]] std::string take(const SiemensBlock& block, const std::vector<std::string>& harmless);
+
+  [[nodiscard]] const std::vector<Code>& codes() const { return codes_; }
+  [[nodiscard]] const Code* code(SiemensMeaning meaning) const;
+  [[nodiscard]] const Code* code_of(SiemensGroup group) const;
+  /// Returns the word with a value by its address; null: the block has none.
+  [[nodiscard]] const SiemensWord* value(std::string_view address) const;
+  [[nodiscard]] bool has_any(std::initializer_list<std::string_view> addresses) const;
+  [[nodiscard]] bool has_path_axes() const { return has_any({"X", "Y", "Z"}); }
+  [[nodiscard]] bool has_axes() const { return has_any({"X", "Y", "Z", "A", "B", "C", "A3", "B3", "C3"}); }
+  [[nodiscard]] bool has_arc_words() const { return has_any({"I", "J", "K", "I1", "J1", "K1", "CR", "AR", "TURN"}); }
+  /// Name of the program that the block calls; empty: it calls none.
+  [[nodiscard]] const std::string& called() const { return called_; }
+
+ private:
+  [[nodiscard]] std::string take_code(const SiemensWord& word, const SiemensRow& row);
+  [[nodiscard]] std::string take_value(const SiemensWord& word);
+  [[nodiscard]] std::string find_conflict() const;
+
+  std::vector<Code> codes_;
+  std::array<const Code*, kSiemensGroups> groups_{};
+  std::vector<const SiemensWord*> values_;
+  std::string called_;
+};
+
+}  // namespace gouge
