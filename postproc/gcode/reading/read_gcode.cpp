@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/gcode/heidenhain/read_heidenhain.h"
 #include "postproc/gcode/iso/read_iso.h"
 #include "postproc/gcode/language/control_tables.h"
 #include "postproc/gcode/reading/assume_program.h"
@@ -76,11 +77,12 @@ bool has_checked_move(const Toolpath& path) {
 }  // namespace
 
 std::span<const ProgramLanguage> all_languages() {
-  static const std::array<ProgramLanguage, 3> languages = {{
+  static const std::array<ProgramLanguage, 4> languages = {{
       {linuxcnc_table().id, linuxcnc_table().title,
        [](const ProgramInput& input) { return run_iso(linuxcnc_table(), input); }},
       {haas_table().id, haas_table().title, [](const ProgramInput& input) { return run_iso(haas_table(), input); }},
       {fanuc_table().id, fanuc_table().title, [](const ProgramInput& input) { return run_iso(fanuc_table(), input); }},
+      {"heidenhain", "Heidenhain Klartext", run_heidenhain},
   }};
   return languages;
 }
@@ -91,7 +93,7 @@ std::string language_names() {
   return listed(names, " or ");
 }
 
-bool is_gcode(std::string_view bytes) { return is_iso_program(bytes); }
+bool is_gcode(std::string_view bytes) { return is_heidenhain_program(bytes) || is_iso_program(bytes); }
 
 ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& options,
                        const ProgressCall& progress) {

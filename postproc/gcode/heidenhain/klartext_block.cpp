@@ -1,0 +1,94 @@
+#include "postproc/gcode/heidenhain/klartext_block.h"
+
+#include <algorithm>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+bool is_block_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Removes the number of a block: digits before a blank, or alone.
+void remove_block_number(std::string_view& line) {
+  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(line, is_block_digit) - line.begin());
+  if (digits == 0) return;
+  if (digits < line.size() && line[digits] != ' ' && line[digits] != '\t' && line[digits] != '/') return;
+  line = trim_blanks(line.substr(digits));
+}
+
+/// Adds a line in capitals without its comment. Text between quotation marks stays.
+void add_code(std::string_view line, std::string& code) {
+  bool is_quoted = false;
+  for (const char c : line) {
+    if (c == '"') is_quoted = !is_quoted;
+    if (c == ';' && !is_quoted) return;
+    code += !is_quoted && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+}
+
+bool take_tilde(std::string_view& line) {
+  if (!line.ends_with('~')) return false;
+  line.remove_suffix(1);
+  return true;
+}
+
+/// Begins a block with its first line. Returns whether the next line belongs to it.
+bool begin_block(std::string_view line, KlartextBlock& block) {
+  line = trim_blanks(line);
+  for (int mark = 0; mark < 2; ++mark) {
+    if (mark == 0 || block.is_skippable) remove_block_number(line);
+    if (!block.is_skippable && line.starts_with('/')) {
+      block.is_skippable = true;
+      line = trim_blanks(line.substr(1));
+    }
+  }
+  if (line.starts_with(';') || line.starts_with('*')) {
+    const std::size_t first = line.find_first_not_of(";*- \t");
+    block.comment = first == std::string_view::npos ? std::string_view() : line.substr(first);
+    return false;
+  }
+  const bool goes_on = take_tilde(line);
+  add_code(line, block.text);
+  return goes_on;
+}
+
+}  // namespace
+
+KlartextBlock read_klartext_line(std::string_view line) {
+  KlartextBlock block;
+  if (begin_block(line, block)) block.text += " ~";  // no line follows
+  block.text = trim_blanks(block.text);
+  return block;
+}
+
+KlartextBlock read_klartext_block(const ProgramText& text, std::size_t index) {
+  KlartextBlock block;
+  bool goes_on = begin_block(text.line(index), block);
+  while (goes_on && ++index < text.end()) {
+    std::string_view line = trim_blanks(text.line(index));
+    goes_on = take_tilde(line);
+    block.text += ' ';
+    add_code(line, block.text);
+  }
+  block.text = trim_blanks(block.text);
+  block.next_index = std::min(index + 1, text.end());
+  return block;
+}
+
+bool take_keywords(std::string_view& text, std::string_view keywords) {
+  std::string_view rest = text;
+  while (!keywords.empty()) {
+    const std::size_t length = std::min(keywords.find(' '), keywords.size());
+    rest = trim_blanks(rest);
+    if (!rest.starts_with(keywords.substr(0, length))) return false;
+    rest.remove_prefix(length);
+    const bool goes_on = !rest.empty() && rest[0] >= 'A' && rest[0] <= 'Z';
+    if (goes_on) return false;
+    keywords.remove_prefix(std::min(length + 1, keywords.size()));
+  }
+  text = trim_blanks(rest);
+  return true;
+}
+
+}  // namespace gouge

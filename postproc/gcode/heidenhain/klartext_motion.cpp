@@ -1,0 +1,394 @@
+#include <cmath>
+#include <numbers>
+
+#include "postproc/gcode/heidenhain/klartext_runner.h"
+
+// Motions along lines and arcs.
+
+namespace gouge {
+namespace {
+
+using Meaning = KlartextMeaning;
+
+constexpr double kDegreesPerRad = 180 / std::numbers::pi;
+// Ends of a circle that meet but for the rounding of frames.
+constexpr double kSamePlace_mm = 1e-9;
+
+}  // namespace
+
+void KlartextRunner::begin_motion(const PathWords& words) {
+  if (!has_preset_) choose_preset(std::nullopt);
+  for (const KlartextFunction* row : words.functions) {
+    if (row->meaning == Meaning::per_minute || row->meaning == Meaning::per_revolution)
+      is_per_revolution_ = row->meaning == Meaning::per_revolution;
+    if (row->meaning == Meaning::tip_control_on) begin_tip_control();
+    if (row->meaning == Meaning::shortest_on) takes_shortest_ = true;
+    if (row->meaning != Meaning::not_checked_path) continue;
+    path_open_ = std::string(row->note) + ", by M" + std::to_string(row->number) + " in line " + std::to_string(line_);
+    settle_path();
+  }
+  if (words.compensation == PathCompensation::none) motion_.end_doubt(ProgramDoubt::compensation);
+  if (words.compensation && *words.compensation != PathCompensation::none)
+    motion_.doubt(ProgramDoubt::compensation, "radius compensation since line " + std::to_string(line_));
+  take_feed(words);
+}
+
+void KlartextRunner::end_motion(const PathWords& words) {
+  for (const KlartextFunction* row : words.functions) {
+    if (row->meaning == Meaning::shortest_off) takes_shortest_ = false;
+    if (row->meaning == Meaning::tip_control_off) end_tip_control();
+    if (row->meaning == Meaning::retract) retract();
+    if (row->meaning == Meaning::cycle_call) drill();
+    if (row->meaning == Meaning::tool_change)
+      run_unchecked(MoveKind::rapid, {}, "where the machine goes to change the tool is not known");
+    if (row->meaning != Meaning::program_end) continue;
+    has_ended_ = true;
+    facts_.end_line = line_;
+  }
+}
+
+void KlartextRunner::take_feed(const PathWords& words) {
+  if (words.feed) feed_ = is_known(*words.feed) && *words.feed > 0 ? std::optional(*words.feed) : std::nullopt;
+  set_feed();
+}
+
+// In a program in inches F is in tenths of an inch a minute on some versions: not understood.
+void KlartextRunner::set_feed() {
+  if (!feed_ || unit_ == LengthUnit::inch) return motion_.set_feed({0, FeedUnit::not_stated});
+  motion_.set_feed({*feed_, is_per_revolution_ ? FeedUnit::per_revolution : FeedUnit::per_minute});
+}
+
+void KlartextRunner::retract() {
+  Target to{motion_.place(), {}};
+  to.place.xyz.setConstant(kUnknownValue);
+  run_unchecked(MoveKind::feed, to, "M140 retracts the tool to a place that only the machine knows");
+}
+
+std::string KlartextRunner::why_corner_open() const {
+  return is_cut_           ? "the next block rounds or chamfers the end of this motion"
+         : follows_corner_ ? "the block before it rounds or chamfers the start of this motion"
+                           : "";
+}
+
+void KlartextRunner::run_unchecked(MoveKind kind, const Target& to, const std::string& reason) {
+  tangent_.reset();
+  AxisPlace place = to.place;
+  place.xyz = frame_.outside(place.xyz);
+  motion_.go_unchecked(kind, place, reason);
+  was_cut_ = is_cut_;
+  follows_corner_ = false;
+}
+
+void KlartextRunner::run_line(MoveKind kind, const Target& to) {
+  const std::string open = to.open.empty() ? why_corner_open() : to.open;
+  if (!open.empty()) return run_unchecked(kind, to, open);
+  const Vec3 step = to.place.xyz - place();
+  const double along = std::hypot(step.x(), step.y());
+  AxisPlace end = to.place;
+  end.xyz = frame_.outside(end.xyz);
+  tangent_.reset();
+  if (along > kSamePlace_mm && std::abs(step.z()) <= kSamePlace_mm)
+    tangent_ = Direction{step.x() / along, step.y() / along};
+  motion_.go(kind, end);
+}
+
+/// A line of a block: rapid with FMAX.
+void KlartextRunner::run_block(const PathWords& words, const Target& to) {
+  run_line(words.is_rapid ? MoveKind::rapid : MoveKind::feed, to);
+}
+
+void KlartextRunner::run_arc(const PathWords& words, const ProgramArc& arc, const Target& to) {
+  const bool is_turning = words.has_rotary();
+  const std::string open = !to.open.empty() ? to.open
+                           : is_turning     ? "no manual states how rotary axes turn along an arc"
+                           : words.is_rapid ? "an arc at rapid traverse"
+                                            : why_corner_open();
+  if (!open.empty()) return run_unchecked(MoveKind::arc, to, open);
+  ProgramArc made = arc;
+  made.centre = frame_.outside(arc.centre);
+  if (frame_.is_mirrored()) made.axis = -made.axis;
+  AxisPlace end = to.place;
+  end.xyz = frame_.outside(end.xyz);
+  const Vec3 radius = to.place.xyz - arc.centre;
+  const double size = std::hypot(radius.x(), radius.y()), turn = arc.axis.z();
+  tangent_.reset();
+  if (size > 0 && std::abs(to.place.xyz.z() - place().z()) <= kSamePlace_mm)
+    tangent_ = Direction{-turn * radius.y() / size, turn * radius.x() / size};
+  motion_.go_round(end, made);
+}
+
+void KlartextRunner::run_read_arc(const PathWords& words, const ArcWords& arc, Target to) {
+  const Vec3 start = place();
+  if (std::hypot(to.place.xyz.x() - start.x(), to.place.xyz.y() - start.y()) <= kSamePlace_mm)
+    to.place.xyz.head<2>() = start.head<2>();
+  if (to.open.empty() && (start.hasNaN() || to.place.xyz.hasNaN()))
+    to.open = "the place at which the arc begins or ends is not known";
+  ArcReading read;
+  if (to.open.empty()) read = read_program_arc(arc, start, to.place.xyz);
+  if (to.open.empty()) to.open = read.open;
+  run_arc(words, read.arc, to);
+}
+
+KlartextRunner::Target KlartextRunner::target(const PathWords& words) {
+  Target to{motion_.place(), {}};
+  to.place.xyz = place();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& word = words.xyz.at(i);
+    if (!word) continue;
+    double& own = to.place.xyz[static_cast<int>(i)];
+    own = word->is_step ? own + length(word->value) : length(word->value);
+    if (!is_known(word->value)) to.open = std::string("the value of ") + "XYZ"[i] + " is not known";
+  }
+  aim_rotary(words, to);
+  if (words.function(Meaning::machine_place) != nullptr) aim_at_machine_place(words, to);
+  if (words.function(Meaning::unknown_place) == nullptr) return to;
+  to.place = AxisPlace{};
+  to.open = "the block refers to a place that only the machine knows";
+  return to;
+}
+
+void KlartextRunner::aim_rotary(const PathWords& words, Target& to) {
+  if (!words.has_rotary()) return;
+  if (is_tilt_open_) return align_with_plane(words, to);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& word = words.abc.at(i);
+    if (!word) continue;
+    const auto rotary = motion_.mapper().rotary_of("ABC"[i]);
+    if (rotary) {
+      aim_joint(*rotary, *word, words.function(Meaning::machine_place) != nullptr, to);
+      continue;
+    }
+    const bool has_machine = motion_.mapper().has_machine();
+    if (!facts_.error)
+      facts_.error = make_error("gcode-machine",
+                                std::string("the program turns axis ") + "ABC"[i] +
+                                    (has_machine ? ", which machine " + setup_.machine->name +
+                                                       " does not have; expected the machine of this program"
+                                                 : "; expected --machine, which states where this axis is"),
+                                input_.path.file, line_);
+  }
+  if (!has_tilt_) return;
+  tilt_open_ = "rotary axes turn in a tilted plane in line " + std::to_string(line_);
+  settle_frame();
+}
+
+// Source: machine parameter shortestDistance (300401): without M126 it decides on the way of half a turn and more.
+void KlartextRunner::aim_joint(std::size_t rotary, const PathCoordinate& word, bool is_of_machine, Target& to) {
+  constexpr double kHalf_rad = std::numbers::pi, kRounding_rad = 1e-8;
+  double& angle = to.place.angles.at(rotary);
+  const double before = angle;
+  if (!is_known(word.value)) to.open = "the value of a rotary axis is not known";
+  if (word.is_step) {
+    angle = before + word.value * kDegree_rad;
+    return;
+  }
+  angle = is_of_machine ? word.value * kDegree_rad : motion_.angle_from_program(rotary, word.value);
+  const bool is_long = std::abs(angle - before) >= kHalf_rad - kRounding_rad;
+  if (!is_long) return;
+  const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(rotary)];
+  if (takes_shortest_) {
+    if (joint.is_continuous) angle -= kWholeTurn_rad * std::round((angle - before) / kWholeTurn_rad);
+    const bool is_clear = joint.is_continuous && std::abs(angle - before) < kHalf_rad - kRounding_rad;
+    if (!is_clear) to.open = "the way of " + joint.name + " by half a turn and more under M126 is not known";
+  } else if (!setup_.winds_as_programmed.value_or(false)) {
+    to.open =
+        "a parameter of the control may shorten the turn of " + joint.name + "; expected --rotary-turns as-programmed";
+  }
+}
+
+// After PLANE ... STAY the program itself brings the rotary axes to the angles that the control has calculated.
+// Source: iTNC 530 60642x-04, PLANE, STAY: Q120, Q121 and Q122 of A, B and C.
+void KlartextRunner::align_with_plane(const PathWords& words, Target& to) {
+  static constexpr std::array<std::string_view, 3> kCalculated = {"Q120", "Q121", "Q122"};
+  const bool has_machine = motion_.mapper().has_machine();
+  std::size_t calculated = 0;
+  bool is_clear = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& word = words.abc.at(i);
+    const bool is_needed = has_machine && motion_.mapper().rotary_of("ABC"[i]);
+    if (!word && is_needed) is_clear = false;
+    if (!word) continue;
+    is_clear = is_clear && !word->is_step && word->parameter == kCalculated.at(i);
+    ++calculated;
+  }
+  constexpr std::size_t kRotaryAxes = 2;
+  to.place.angles = {kUnknownValue, kUnknownValue};
+  to.open = "the motion that aligns the tool with the tilted plane is not known";
+  if (!is_clear || calculated < kRotaryAxes) {
+    tilt_open_ = "line " + std::to_string(line_) +
+                 " turns the rotary axes to other values than those that PLANE calculates: Q120, Q121 and Q122";
+    return settle_frame();
+  }
+  motion_.align_to_plane();
+  is_tilt_open_ = false;
+}
+
+// Source: iTNC 530 60642x-04, M91: coordinates from the machine datum; the length of the tool is not compensated.
+void KlartextRunner::aim_at_machine_place(const PathWords& words, Target& to) {
+  Vec3 machine = Vec3::Constant(kUnknownValue);
+  bool has_step = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!words.xyz.at(i)) continue;
+    machine[static_cast<int>(i)] = length(words.xyz.at(i)->value);
+    has_step = has_step || words.xyz.at(i)->is_step;
+  }
+  if (has_step) machine.setConstant(kUnknownValue);
+  const Vec3 stated = motion_.from_machine(machine);
+  Vec3 outside = motion_.place().xyz;
+  bool is_open = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!words.xyz.at(i)) continue;
+    outside[static_cast<int>(i)] = stated[static_cast<int>(i)];
+    is_open = is_open || std::isnan(stated[static_cast<int>(i)]);
+  }
+  to.place.xyz = frame_.inside(outside);
+  if (is_open && to.open.empty())
+    to.open =
+        "the place of M91 in the coordinates of the part is not known; expected --offset of the preset in force, "
+        "and the length of the tool; under M128 and in a tilted plane it is not read";
+}
+
+void KlartextRunner::go_line(const PathWords& words) {
+  begin_motion(words);
+  polar_.reset();
+  if (words.has_linear() || words.has_rotary()) run_block(words, target(words));
+  end_motion(words);
+}
+
+void KlartextRunner::set_pole(const PathWords& words) {
+  if (words.xyz[2] || words.has_rotary() || !words.functions.empty() || words.feed || words.is_rapid)
+    return lose_rest("CC is read with X and Y alone");
+  polar_.reset();
+  const Vec3 from = place();
+  std::array<double, 2> made{};
+  const bool is_here = !words.has_linear();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& word = words.xyz.at(i);
+    const double own = from[static_cast<int>(i)];
+    // An axis that is left out keeps a value that no manual at hand states.
+    made.at(i) = is_here ? own : !word ? kUnknownValue : length(word->value) + (word->is_step ? own : 0);
+  }
+  pole_ = made;
+}
+
+KlartextRunner::Target KlartextRunner::polar_target(const PathWords& words) {
+  Target to = target(words);
+  const double unknown = kUnknownValue;
+  double radius = polar_ ? polar_->radius : unknown, angle = polar_ ? polar_->angle : unknown;
+  if (const auto& word = words.polar_radius) radius = length(word->value) + (word->is_step ? radius : 0);
+  if (const auto& word = words.polar_angle) angle = word->value + (word->is_step ? angle : 0);
+  const std::array<double, 2> pole = pole_.value_or(std::array<double, 2>{unknown, unknown});
+  to.place.xyz.x() = pole[0] + radius * std::cos(angle / kDegreesPerRad);
+  to.place.xyz.y() = pole[1] + radius * std::sin(angle / kDegreesPerRad);
+  if (words.xyz[0] || words.xyz[1]) to.open = "a block states both X or Y and polar coordinates";
+  if (to.place.xyz.head<2>().hasNaN() && to.open.empty()) to.open = "the pole, the radius or the angle is not known";
+  polar_ = Polar{radius, angle};
+  return to;
+}
+
+void KlartextRunner::go_polar_line(const PathWords& words) {
+  begin_motion(words);
+  run_block(words, polar_target(words));
+  end_motion(words);
+}
+
+void KlartextRunner::go_about_pole(const PathWords& words) {
+  begin_motion(words);
+  polar_.reset();
+  Target to = target(words);
+  ArcWords arc;
+  arc.is_centre_absolute = true;
+  if (words.xyz[2]) to.open = "C with a third axis is not read";
+  if (!words.is_clockwise && to.open.empty()) to.open = "C states no direction";
+  if (!pole_ && to.open.empty()) to.open = "the pole is not known";
+  if (pole_) arc.centre_mm = {(*pole_)[0], (*pole_)[1], std::nullopt};
+  if (pole_ && !(is_known((*pole_)[0]) && is_known((*pole_)[1])) && to.open.empty()) to.open = "the pole is not known";
+  arc.is_clockwise = words.is_clockwise.value_or(false);
+  run_read_arc(words, arc, to);
+  end_motion(words);
+}
+
+void KlartextRunner::go_by_radius(const PathWords& words) {
+  begin_motion(words);
+  polar_.reset();
+  Target to = target(words);
+  ArcWords arc;
+  if (words.xyz[2]) to.open = "CR with a third axis is not read";
+  if ((!words.is_clockwise || !words.radius) && to.open.empty()) to.open = "CR states no direction or no radius";
+  arc.radius_mm = length(words.radius.value_or(kUnknownValue));
+  if (!is_known(*arc.radius_mm) && to.open.empty()) to.open = "the radius of CR is not known";
+  arc.is_clockwise = words.is_clockwise.value_or(false);
+  run_read_arc(words, arc, to);
+  end_motion(words);
+}
+
+// An arc about the pole to an angle. With a step the angle is that of the whole motion, so that a helix has all its turns.
+void KlartextRunner::go_polar_arc(const PathWords& words) {
+  begin_motion(words);
+  Target to = target(words);
+  const Vec3 start = place();
+  const std::array<double, 2> pole = pole_.value_or(std::array<double, 2>{kUnknownValue, kUnknownValue});
+  const double u = start.x() - pole[0], v = start.y() - pole[1], radius = std::hypot(u, v);
+  const double from_deg = std::atan2(v, u) * kDegreesPerRad;
+  const auto angle = words.polar_angle;
+  constexpr double kMost_deg = 5400;  // input range of CP
+  if (words.polar_radius || words.xyz[0] || words.xyz[1]) to.open = "CP states more than its angle and the third axis";
+  if (!angle || !words.is_clockwise) to.open = "CP states no angle or no direction";
+  if (to.open.empty() && !(radius > 0 && std::abs(angle->value) <= kMost_deg))
+    to.open = "the pole, the start or the angle of CP is not known";
+  double sweep_deg = kUnknownValue;
+  if (to.open.empty()) {
+    sweep_deg = angle->is_step ? angle->value : std::remainder(angle->value - from_deg, 360);
+    const double wanted = *words.is_clockwise ? -1 : 1;
+    if (!angle->is_step && sweep_deg * wanted < 0) sweep_deg += 360 * wanted;
+    constexpr double kLeast_deg = 0.006;  // ends that nearly meet: a full circle, or none
+    const bool is_doubtful =
+        std::abs(sweep_deg) < kLeast_deg || (!angle->is_step && std::abs(sweep_deg) > 360 - kLeast_deg);
+    if (sweep_deg * wanted < 0) to.open = "the signs of IPA and DR of CP differ";
+    if (is_doubtful) to.open = "the ends of CP nearly meet";
+  }
+  const double end_rad = (from_deg + sweep_deg) / kDegreesPerRad;
+  to.place.xyz.x() = pole[0] + radius * std::cos(end_rad);
+  to.place.xyz.y() = pole[1] + radius * std::sin(end_rad);
+  polar_ = Polar{radius, from_deg + sweep_deg};
+  ProgramArc arc;
+  arc.centre = Vec3(pole[0], pole[1], start.z());
+  arc.axis = Vec3(0, 0, sweep_deg < 0 ? -1 : 1);
+  arc.sweep_rad = std::abs(sweep_deg) / kDegreesPerRad;
+  if (to.open.empty() && to.place.xyz.hasNaN()) to.open = "the place at which the arc begins or ends is not known";
+  run_arc(words, arc, to);
+  end_motion(words);
+}
+
+void KlartextRunner::go_tangentially(const PathWords& words, bool is_polar) {
+  begin_motion(words);
+  if (!is_polar) polar_.reset();
+  Target to = is_polar ? polar_target(words) : target(words);
+  const Vec3 start = place();
+  const double du = to.place.xyz.x() - start.x(), dv = to.place.xyz.y() - start.y();
+  if (words.xyz[2]) to.open = "CT with a third axis is not read";
+  if (!tangent_ && to.open.empty()) to.open = "the direction in which CT begins is not known";
+  const Direction along = tangent_.value_or(Direction{kUnknownValue, kUnknownValue});
+  const double aside = along.x * dv - along.y * du, chord = std::hypot(du, dv);
+  constexpr double kStraight = 1e-6;  // sine of the angle between chord and tangent
+  if (!(std::abs(aside) > kStraight * chord) && to.open.empty())
+    to.open = "CT ends in the direction in which it begins";
+  const double radius = chord * chord / (2 * aside);  // to the left
+  ArcWords arc;
+  arc.is_centre_absolute = true;
+  arc.centre_mm = {start.x() - along.y * radius, start.y() + along.x * radius, std::nullopt};
+  arc.is_clockwise = radius < 0;
+  run_read_arc(words, arc, to);
+  end_motion(words);
+}
+
+// Rounding and chamfering change the motions on both sides of a corner, which are not checked.
+void KlartextRunner::cut_corner(std::string_view text) {
+  Words words;
+  if (!read_words("R" + std::string(text), words)) return;
+  if (!was_cut_) return lose_rest("RND or CHF without a motion right before it");
+  follows_corner_ = true;
+  tangent_.reset();
+}
+
+}  // namespace gouge
