@@ -195,9 +195,9 @@ void ProgramMotion::settle_length() {
 }
 
 void ProgramMotion::change_tool(const PathTool& tool) {
-  if (tool_ == kNone || builder_.path.tools[tool_].number != tool.number) ++tools_loaded_;
-  const auto same =
-      std::ranges::find_if(builder_.path.tools, [&](const PathTool& one) { return one.number == tool.number; });
+  const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
+  if (tool_ == kNone || !is_same(builder_.path.tools[tool_])) ++tools_loaded_;
+  const auto same = std::ranges::find_if(builder_.path.tools, is_same);
   tool_ = static_cast<std::size_t>(same - builder_.path.tools.begin());
   if (same == builder_.path.tools.end()) builder_.path.tools.push_back(tool);
   chain_.break_off();
