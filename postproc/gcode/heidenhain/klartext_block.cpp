@@ -1,12 +1,14 @@
 #include "postproc/gcode/heidenhain/klartext_block.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lib/base/number_text.h"
 
 namespace gouge {
 namespace {
 
+char capital_of(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_block_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Removes the number of a block: digits before a blank, or alone.
@@ -17,13 +19,38 @@ void remove_block_number(std::string_view& line) {
   line = trim_blanks(line.substr(digits));
 }
 
+/// Returns whether text may begin a block: a number, or one of the keywords of the language.
+bool may_begin_block(std::string capitals) {
+  static constexpr std::array<std::string_view, 32> kKeywords = {
+      "APPR", "BEGIN", "BLK",   "C",   "CALL", "CC",   "CHF", "CP",   "CR",       "CT",     "CTP",
+      "CYCL", "DEP",   "END",   "FC",  "FCT",  "FL",   "FLT", "FN",   "FUNCTION", "L",      "LBL",
+      "LN",   "LP",    "PLANE", "RND", "SEL",  "STOP", "TCH", "TOOL", "TRANS",    "PATTERN"};
+  std::ranges::transform(capitals, capitals.begin(), capital_of);
+  std::string_view text = trim_blanks(capitals);
+  if (text.empty()) return false;
+  const char first = text[0];
+  const char second = text.size() > 1 ? text[1] : ' ';
+  const bool is_function = first == 'M' && is_block_digit(second);
+  const bool is_parameter = first == 'Q' && (is_block_digit(second) || second == 'L' || second == 'R');
+  if (is_block_digit(first) || is_function || is_parameter || first == '/') return true;
+  return std::ranges::any_of(kKeywords, [&](std::string_view one) { return take_keywords(text, one); });
+}
+
+/// A carriage return within a comment may be a line end of another system, with a block behind it.
+void check_comment(std::string_view comment, KlartextBlock& block) {
+  for (std::size_t at = comment.find('\r'); at != std::string_view::npos; at = comment.find('\r', at + 1))
+    if (may_begin_block(std::string(comment.substr(at + 1))))
+      block.error = "a carriage return in a comment, and a block behind it";
+}
+
 /// Adds a line in capitals without its comment. Text between quotation marks stays.
-void add_code(std::string_view line, std::string& code) {
+void add_code(std::string_view line, KlartextBlock& block) {
   bool is_quoted = false;
-  for (const char c : line) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
     if (c == '"') is_quoted = !is_quoted;
-    if (c == ';' && !is_quoted) return;
-    code += !is_quoted && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (c == ';' && !is_quoted) return check_comment(line.substr(i), block);
+    block.text += is_quoted ? c : capital_of(c);
   }
 }
 
@@ -46,10 +73,11 @@ bool begin_block(std::string_view line, KlartextBlock& block) {
   if (line.starts_with(';') || line.starts_with('*')) {
     const std::size_t first = line.find_first_not_of(";*- \t");
     block.comment = first == std::string_view::npos ? std::string_view() : line.substr(first);
+    check_comment(line, block);
     return false;
   }
   const bool goes_on = take_tilde(line);
-  add_code(line, block.text);
+  add_code(line, block);
   return goes_on;
 }
 
@@ -69,7 +97,7 @@ KlartextBlock read_klartext_block(const ProgramText& text, std::size_t index) {
     std::string_view line = trim_blanks(text.line(index));
     goes_on = take_tilde(line);
     block.text += ' ';
-    add_code(line, block.text);
+    add_code(line, block);
   }
   block.text = trim_blanks(block.text);
   block.next_index = std::min(index + 1, text.end());

@@ -11,6 +11,7 @@ namespace gouge {
 struct KlartextBlock {
   std::string text;            ///< capitals except between quotation marks; without number and comment
   std::string comment;         ///< of a block that is a comment or a structure item alone
+  std::string error;           ///< why the text is no block; empty: it is one
   bool is_skippable = false;   ///< begins with the mark for block skip
   std::size_t next_index = 0;  ///< the line after the block
 };

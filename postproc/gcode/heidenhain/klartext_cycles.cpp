@@ -26,7 +26,6 @@ std::optional<int> take_integer(std::string_view& text) {
 }  // namespace
 
 void KlartextRunner::define_cycle(std::string_view text) {
-  if (!has_preset_ && !text.starts_with("247")) choose_preset(std::nullopt);
   const auto cycle = take_integer(text);
   if (!cycle) return lose_rest("CYCL DEF states no cycle");
   tangent_.reset();
@@ -62,11 +61,9 @@ void KlartextRunner::define_step(int cycle, int step, std::string_view text) {
   polar_.reset();
   const bool has_one = words.size() == 1 && words[0].kind == KlartextWord::Kind::number;
   if (cycle == kTolerance) return define_tolerance(step, words);
-  if (cycle == kDatumShift) {
-    define_shift(words);
-  } else if (step != 1) {
-    return lose_rest(name + " is not read");
-  } else if (cycle == kRotation) {
+  if (cycle == kDatumShift) return define_shift(words);
+  if (step != 1) return lose_rest(name + " is not read");
+  if (cycle == kRotation) {
     if (!has_one || (words[0].name != "ROT" && words[0].name != "IROT")) return lose_rest(name + " needs ROT");
     frame_.rotate(words[0].value, words[0].name == "IROT");
   } else if (cycle == kScale) {
@@ -107,7 +104,6 @@ void KlartextRunner::define_shift(const Words& words) {
       return lose_rest("'" + word_text(word) + "' has no place in CYCL DEF 7");
     frame_.shift(axis, length(word.value), is_step);
   }
-  frame_.end_shift();
 }
 
 // Source: TNC 640 34059x-05, cycle 32: T of the contour, HSC-MODE, TA of rotary axes.

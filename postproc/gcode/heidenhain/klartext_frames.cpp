@@ -48,6 +48,7 @@ void KlartextRunner::define_plane(std::string_view text) {
   Words words;
   if (!read_words(text, words)) return;
   if (words.empty()) return lose_rest("PLANE states no form");
+  if (!has_preset_) choose_preset(std::nullopt);
   std::string_view positioning;
   if (words[0].is("RESET")) {
     const std::string wrong = take_positioning(words, 1, positioning);
@@ -134,17 +135,21 @@ void KlartextRunner::control_tip(std::string_view text) {
   if (!is_vector && !take("PATHCTRL AXIS")) return lose_rest("FUNCTION TCPM needs PATHCTRL AXIS or PATHCTRL VECTOR");
   const bool is_tip = take("REFPNT TIP- TIP");
   if (!rest.empty()) return lose_rest("'" + std::string(rest) + "' in FUNCTION TCPM is not read");
-  begin_tip_control();
-  if (is_spatial)
-    tip_open_ = "FUNCTION TCPM with AXIS SPAT states spatial angles, and the control chooses the rotary positions";
+  if (is_spatial) return begin_tip_control("FUNCTION TCPM with AXIS SPAT: the control chooses the rotary positions");
   if (is_vector)
-    tip_open_ = "FUNCTION TCPM with PATHCTRL VECTOR: the control may choose other rotary positions than programmed";
-  if (!is_spatial && !is_vector && is_tip) tip_open_.clear();
-  settle_length();
+    return begin_tip_control("FUNCTION TCPM with PATHCTRL VECTOR: the control chooses the rotary positions");
+  begin_tip_control(is_tip ? "" : why_point_open());
 }
 
 // Source: iTNC 530 60642x-04, p. 516, M128: the tool length must refer to the centre of the ball. REFPNT states it.
-void KlartextRunner::begin_tip_control() {
+std::string KlartextRunner::why_point_open() const {
+  return are_points_of_tip_
+             ? ""
+             : "nothing states whether positions under tool centre point control are of the tip or of the centre of a "
+               "ball; expected --start \"REFPNT TIP-TIP\", with lengths to the tip";
+}
+
+void KlartextRunner::begin_tip_control(const std::string& open) {
   if (!motion_.mapper().has_machine()) {
     if (!facts_.error)
       facts_.error = make_error("gcode-machine", "the program begins tool centre point control; expected --machine",
@@ -152,17 +157,13 @@ void KlartextRunner::begin_tip_control() {
     return;
   }
   tangent_.reset();
-  tip_open_ =
-      are_points_of_tip_
-          ? ""
-          : "nothing states whether positions under tool centre point control are of the tip or of the centre of "
-            "a ball; expected --start \"REFPNT TIP-TIP\", with lengths to the tip";
+  tip_open_ = open;
   motion_.set_tip_control(TipControl::on);
   settle_length();
 }
 
 void KlartextRunner::end_tip_control() {
-  const bool chose_positions = tip_open_.find("choose") != std::string::npos;
+  const bool chose_positions = tip_open_.find("chooses") != std::string::npos;
   tip_open_.clear();
   tangent_.reset();
   if (chose_positions)

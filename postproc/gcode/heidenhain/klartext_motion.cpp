@@ -21,7 +21,7 @@ void KlartextRunner::begin_motion(const PathWords& words) {
   for (const KlartextFunction* row : words.functions) {
     if (row->meaning == Meaning::per_minute || row->meaning == Meaning::per_revolution)
       is_per_revolution_ = row->meaning == Meaning::per_revolution;
-    if (row->meaning == Meaning::tip_control_on) begin_tip_control();
+    if (row->meaning == Meaning::tip_control_on) begin_tip_control(why_point_open());
     if (row->meaning == Meaning::shortest_on) takes_shortest_ = true;
     if (row->meaning != Meaning::not_checked_path) continue;
     path_open_ = std::string(row->note) + ", by M" + std::to_string(row->number) + " in line " + std::to_string(line_);

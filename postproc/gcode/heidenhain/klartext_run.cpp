@@ -112,6 +112,7 @@ void KlartextRun::run_block(const KlartextBlock& block) {
       return runner_.lose_rest("a block that a switch of the control leaves out; expected --block-delete on or off");
   }
   runner_.begin_line(line);
+  if (!block.error.empty()) runner_.lose_rest(block.error);
   if (!motion_.is_rest_unknown() && run_flow(block.text)) return;
   runner_.run(block, line, is_corner_next());
 }
@@ -215,6 +216,7 @@ void KlartextRun::run_function(std::string_view text) {
     return runner_.lose_rest("FN of this number is not read");
   std::string_view rest = trim_blanks(text.substr(colon + 1));
   if (*number >= 9 && *number <= 12) return jump_if(static_cast<int>(*number), rest);
+  if (*number == 18 && !take_keywords(rest, "SYSREAD")) return runner_.lose_rest("FN 18 has no SYSREAD");
   const std::string name = take_parameter_name(rest);
   rest = trim_blanks(rest);
   const bool is_assignment = !name.empty() && rest.starts_with('=');

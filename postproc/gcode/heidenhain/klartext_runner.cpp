@@ -17,6 +17,12 @@ std::string first_word(std::string_view text) {
   return std::string(text.substr(0, std::min(text.find(' '), text.size())));
 }
 
+/// Returns whether a block states another axis of a datum shift.
+bool goes_on_shifting(std::string_view text) {
+  const bool is_cycle = take_keywords(text, "CYCL DEF") || take_keywords(text, "CYCLE DEF");
+  return is_cycle && text.starts_with("7.") && !text.starts_with("7.0");
+}
+
 bool is_known_length(const std::map<int, double>& lengths, int tool, double stated_mm) {
   constexpr double kSameLength_mm = 1e-6;
   const auto found = lengths.find(tool);
@@ -49,6 +55,7 @@ void KlartextRunner::run(const KlartextBlock& block, std::size_t line, bool is_c
   if (needs_step_ && !is_step)
     return lose_rest("CYCL DEF " + std::to_string(step_[0]) + ".0 has no values in the next block");
   if (!is_step) step_ = {};
+  if (!goes_on_shifting(block.text)) end_shift();
   run_statement(block.text);
 }
 
@@ -208,6 +215,12 @@ void KlartextRunner::run_functions(std::string_view text) {
   if (!take_words(text, {}, words)) return;
   begin_motion(words);
   end_motion(words);
+}
+
+void KlartextRunner::end_shift() {
+  if (!frame_.is_shifting()) return;
+  frame_.end_shift();
+  settle_frame();
 }
 
 void KlartextRunner::settle_length() {

@@ -73,9 +73,11 @@ class KlartextRunner {
   void end_tilt(std::string_view positioning);
   [[nodiscard]] std::string take_positioning(const Words& words, std::size_t first, std::string_view& found) const;
   void control_tip(std::string_view text);
-  void begin_tip_control();
+  void begin_tip_control(const std::string& open);
+  [[nodiscard]] std::string why_point_open() const;
   void end_tip_control();
   void settle_frame();
+  void end_shift();
 
   // Motions: klartext_motion.cpp.
   void go_line(const PathWords& words);

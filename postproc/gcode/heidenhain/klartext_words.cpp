@@ -54,6 +54,7 @@ class WordReader {
 
   bool take_value(KlartextWord& word) {
     const std::string_view before = text_;
+    if (word.name == "MODE" && text_.starts_with(':')) text_.remove_prefix(1);  // HSC-MODE:1
     skip();
     const bool has_sign = !text_.empty() && (text_[0] == '+' || text_[0] == '-');
     const double sign = has_sign && text_[0] == '-' ? -1 : 1;

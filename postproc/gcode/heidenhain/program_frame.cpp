@@ -49,16 +49,25 @@ void ProgramFrame::shift(std::size_t axis, double value_mm, bool is_step) {
     lose("a datum shift after a rotation, mirror image or scale: no manual at hand states its directions");
   if (has_two_origins) lose("a datum shift in a tilted plane that has one before it");
   own = is_step ? own + value_mm : value_mm;
-  if (!is_step) named_.at(axis) = true;
+  (is_step ? stepped_ : named_).at(axis) = true;
   if (!std::isfinite(own)) lose("a value of a datum shift is not known");
 }
 
+void ProgramFrame::begin_shift() {
+  end_shift();
+  named_ = stepped_ = {};
+  is_shifting_ = true;
+}
+
 void ProgramFrame::end_shift() {
+  if (!is_shifting_) return;
+  is_shifting_ = false;
   bool is_whole = true;
   for (std::size_t i = 0; i < 3; ++i) {
     is_whole = is_whole && named_.at(i);
     const double value = shift_[static_cast<int>(i)];
-    if (!named_.at(i) && !(std::abs(value) <= 0)) lose("a datum shift leaves out an axis that is shifted");
+    if (!named_.at(i) && !stepped_.at(i) && !(std::abs(value) <= 0))
+      lose("a datum shift leaves out an axis that is shifted");
   }
   if (is_whole && !is_turned() && !is_tilted_ && shift_.allFinite()) open_.clear();
 }

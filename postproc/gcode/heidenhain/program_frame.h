@@ -23,9 +23,11 @@ class ProgramFrame {
 
   /// Shifts one axis. A step refers to the shift in force.
   void shift(std::size_t axis, double value_mm, bool is_step);
-  /// Must be called at the end of a datum shift, which leaves axes out whose shift is then not known, unless it is 0.
+  /// Begins a datum shift, and ends one before it.
+  void begin_shift();
+  /// Ends a datum shift, if one runs. An axis that it leaves out then has a shift that is not known, unless it is 0.
   void end_shift();
-  void begin_shift() { named_ = {}; }
+  [[nodiscard]] bool is_shifting() const { return is_shifting_; }
   void rotate(double degrees, bool is_step);
   void mirror(bool x, bool y);
   void scale(double factor);
@@ -49,8 +51,8 @@ class ProgramFrame {
   Vec3 shift_ = Vec3::Zero(), tilt_origin_ = Vec3::Zero();
   double rotation_deg_ = 0, scale_ = 1;
   std::array<bool, 2> mirror_{};
-  std::array<bool, 3> named_{};  // by the datum shift that runs: as absolute values
-  bool is_tilted_ = false;
+  std::array<bool, 3> named_{}, stepped_{};  // by the datum shift that runs: as absolute values, and as steps
+  bool is_tilted_ = false, is_shifting_ = false;
   std::string open_;
 };
 
