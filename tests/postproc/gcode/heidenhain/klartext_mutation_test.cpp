@@ -1,0 +1,1 @@
+#include "tests/postproc/gcode/heidenhain/klartext.h"
