@@ -14,6 +14,14 @@ constexpr int kDatumShift = 7, kMirror = 8, kDwell = 9, kRotation = 10, kScale =
 
 bool is_digit_of_cycle(char c) { return c >= '0' && c <= '9'; }
 
+/// Returns whether a text may be the title of a cycle, in any language: letters and marks, no digits.
+bool is_title(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) {
+    const bool is_letter = (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+    return is_letter || c == ' ' || c == '-' || c == '.' || c == '/';
+  });
+}
+
 std::optional<int> take_integer(std::string_view& text) {
   const auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit_of_cycle) - text.begin());
   const auto number = parse_integer(text.substr(0, length));
@@ -51,6 +59,7 @@ void KlartextRunner::define_step(int cycle, int step, std::string_view text) {
   step_ = {cycle, step};
   needs_step_ = step == 0;
   if (step == 0) {
+    if (!is_title(text)) return lose_rest("'" + std::string(text.substr(0, 20)) + "' is no title of a cycle");
     if (cycle == kDatumShift) frame_.begin_shift();
     return;
   }
@@ -102,6 +111,7 @@ void KlartextRunner::define_shift(const Words& words) {
     const bool is_axis = word.name.size() == (is_step ? 2 : 1) && axis != std::string_view::npos;
     if (!is_axis || word.kind != KlartextWord::Kind::number)
       return lose_rest("'" + word_text(word) + "' has no place in CYCL DEF 7");
+    if (frame_.has_shifted(axis)) return lose_rest("CYCL DEF 7 states an axis twice");
     frame_.shift(axis, length(word.value), is_step);
   }
 }
@@ -142,6 +152,7 @@ void KlartextRunner::define_parameters(int cycle, std::string_view text) {
   while (begin != std::string_view::npos && (begin + 1 >= text.size() || !is_digit_of_cycle(text[begin + 1])))
     begin = text.find('Q', begin + 1);
   if (begin == std::string_view::npos) return lose_rest(name + " has no parameters");
+  if (!is_title(text.substr(0, begin))) return lose_rest(name + " has a title that is not understood");
   std::map<int, double> values;
   std::string_view rest = text.substr(begin);
   while (!rest.empty()) {
@@ -195,6 +206,7 @@ void KlartextRunner::call_cycle(std::string_view text) {
 
 std::string KlartextRunner::why_not_drilled() const {
   if (cycle_.row == nullptr) return "no cycle is defined that can be called";
+  if (motion_.tip_control() != TipControl::off) return "a cycle under tool centre point control";
   const std::map<int, double>& q = cycle_.parameters;
   const auto is_stated = [&](int number) { return q.contains(number) && is_known(q.at(number)); };
   const std::string name = "cycle " + std::to_string(cycle_.row->number);

@@ -34,6 +34,8 @@ std::string KlartextRunner::take_positioning(const Words& words, std::size_t fir
       return std::ranges::find(names, std::string_view(word.name)) != names.end();
     };
     const bool is_form = word.kind == KlartextWord::Kind::name && is_one_of(kForms);
+    for (std::size_t k = first; k < i; ++k)
+      if (words[k].name == word.name) return "'" + word_text(word) + "' is a second word of its kind in PLANE";
     if (is_form && !found.empty()) return word_text(word) + " is a second positioning in PLANE";
     if (is_form) found = *std::ranges::find(kForms, std::string_view(word.name));
     const bool is_choice = word.kind == KlartextWord::Kind::sign && (word.name == "SEQ" || word.name == "SYM");

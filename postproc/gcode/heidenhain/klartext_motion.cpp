@@ -98,8 +98,9 @@ void KlartextRunner::run_block(const PathWords& words, const Target& to) {
 }
 
 void KlartextRunner::run_arc(const PathWords& words, const ProgramArc& arc, const Target& to) {
-  const bool is_turning = words.has_rotary();
+  const bool is_turning = words.has_rotary(), is_of_machine = words.function(Meaning::machine_place) != nullptr;
   const std::string open = !to.open.empty() ? to.open
+                           : is_of_machine  ? "an arc to a place of the machine"
                            : is_turning     ? "no manual states how rotary axes turn along an arc"
                            : words.is_rapid ? "an arc at rapid traverse"
                                             : why_corner_open();
@@ -249,9 +250,12 @@ void KlartextRunner::aim_at_machine_place(const PathWords& words, Target& to) {
 }
 
 void KlartextRunner::go_line(const PathWords& words) {
+  const bool has_coordinates = words.has_linear() || words.has_rotary();
+  if (has_coordinates && words.function(Meaning::retract) != nullptr)
+    return lose_rest("M140 beside coordinates is not read");
   begin_motion(words);
   polar_.reset();
-  if (words.has_linear() || words.has_rotary()) run_block(words, target(words));
+  if (has_coordinates) run_block(words, target(words));
   end_motion(words);
 }
 
@@ -281,6 +285,7 @@ KlartextRunner::Target KlartextRunner::polar_target(const PathWords& words) {
   to.place.xyz.x() = pole[0] + radius * std::cos(angle / kDegreesPerRad);
   to.place.xyz.y() = pole[1] + radius * std::sin(angle / kDegreesPerRad);
   if (words.xyz[0] || words.xyz[1]) to.open = "a block states both X or Y and polar coordinates";
+  if (words.function(Meaning::machine_place) != nullptr) to.open = "polar coordinates of a place of the machine";
   if (to.place.xyz.head<2>().hasNaN() && to.open.empty()) to.open = "the pole, the radius or the angle is not known";
   polar_ = Polar{radius, angle};
   return to;

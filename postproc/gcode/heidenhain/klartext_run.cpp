@@ -69,6 +69,7 @@ void KlartextRun::find_labels() {
   for (std::size_t i = text_.begin(); i < text_.end();) {
     const KlartextBlock block = read_klartext_block(text_, i);
     std::string_view text = block.text;
+    if (take_keywords(text, "END PGM")) return;
     if (take_keywords(text, "LBL"))
       if (std::string name = take_label(text); !name.empty() && name != "0") labels_[name].push_back(i);
     i = std::max(block.next_index, i + 1);
@@ -118,10 +119,14 @@ void KlartextRun::run_block(const KlartextBlock& block) {
 }
 
 bool KlartextRun::is_corner_next() const {
-  if (next_ >= text_.end()) return false;
-  const KlartextBlock next = read_klartext_block(text_, next_);
-  std::string_view rest = next.text;
-  return take_keywords(rest, "RND") || take_keywords(rest, "CHF");
+  for (std::size_t at = next_; at < text_.end();) {
+    const KlartextBlock next = read_klartext_block(text_, at);
+    at = std::max(next.next_index, at + 1);
+    if (next.text.empty()) continue;  // a comment
+    std::string_view rest = next.text;
+    return take_keywords(rest, "RND") || take_keywords(rest, "CHF");
+  }
+  return false;
 }
 
 bool KlartextRun::run_flow(std::string_view text) {
@@ -164,8 +169,8 @@ void KlartextRun::call_label(std::string_view text) {
   if (name.empty() || name == "0") return runner_.lose_rest("CALL LBL states no label that is understood");
   const auto place = place_of(name);
   if (!place) return;
-  if (take_keywords(text, "REP") || text.starts_with("REP")) {
-    if (text.starts_with("REP")) text.remove_prefix(3);
+  if (text.starts_with("REP")) {
+    text.remove_prefix(3);
     std::string_view rest = text;
     const std::string times = take_label(rest);
     const auto number = parse_integer(times);

@@ -178,7 +178,13 @@ void KlartextRunner::call_tool(std::string_view text) {
   if (!axis.empty() && axis != "Z") return lose_rest("TOOL CALL with tool axis " + axis + "; only Z is read");
   if (values.contains("F")) feed_ = length(values["F"]);
   set_feed();
-  if (!has_number && !has_name) return;  // the spindle speed alone
+  const bool has_tool = has_number || has_name;
+  const double oversize = values.contains("DL") ? values["DL"] : 0;
+  if (has_tool || values.contains("DL"))
+    length_open_ = std::abs(oversize) <= 0
+                       ? ""
+                       : "TOOL CALL in line " + std::to_string(line_) + " has an oversize DL of its length";
+  if (!has_tool) return settle_length();  // the spindle speed, and an oversize
   if (axis.empty()) return lose_rest("TOOL CALL states no tool axis");
   PathTool loaded;
   if (has_number) loaded.number = whole_number(tool);
@@ -187,9 +193,6 @@ void KlartextRunner::call_tool(std::string_view text) {
   if (motion_.tip_control() == TipControl::on) motion_.set_tip_control(TipControl::unknown);
   motion_.change_tool(loaded);
   tangent_.reset();
-  const double delta = values.contains("DL") ? values["DL"] : 0;
-  length_open_ =
-      std::abs(delta) <= 0 ? "" : "TOOL CALL in line " + std::to_string(line_) + " has an oversize DL of its length";
   settle_length();
 }
 

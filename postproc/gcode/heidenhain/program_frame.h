@@ -28,6 +28,8 @@ class ProgramFrame {
   /// Ends a datum shift, if one runs. An axis that it leaves out then has a shift that is not known, unless it is 0.
   void end_shift();
   [[nodiscard]] bool is_shifting() const { return is_shifting_; }
+  /// Returns whether the datum shift that runs has stated an axis.
+  [[nodiscard]] bool has_shifted(std::size_t axis) const { return named_.at(axis) || stepped_.at(axis); }
   void rotate(double degrees, bool is_step);
   void mirror(bool x, bool y);
   void scale(double factor);
