@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "postproc/gcode/heidenhain/klartext_runner.h"
 
 // Motions along lines and arcs.
@@ -12,7 +13,7 @@ using Meaning = KlartextMeaning;
 
 constexpr double kDegreesPerRad = 180 / std::numbers::pi;
 // Ends of a circle that meet but for the rounding of frames.
-constexpr double kSamePlace_mm = 1e-9;
+constexpr double kSamePlace_mm = Tolerance::kSamePoint_mm;
 
 }  // namespace
 
@@ -83,7 +84,7 @@ void KlartextRunner::run_line(MoveKind kind, const Target& to) {
   const std::string open = to.open.empty() ? why_corner_open() : to.open;
   if (!open.empty()) return run_unchecked(kind, to, open);
   const Vec3 step = to.place.xyz - place();
-  const double along = std::hypot(step.x(), step.y());
+  const double along = step.head<2>().norm();
   AxisPlace end = to.place;
   end.xyz = frame_.outside(end.xyz);
   tangent_.reset();
@@ -111,7 +112,7 @@ void KlartextRunner::run_arc(const PathWords& words, const ProgramArc& arc, cons
   AxisPlace end = to.place;
   end.xyz = frame_.outside(end.xyz);
   const Vec3 radius = to.place.xyz - arc.centre;
-  const double size = std::hypot(radius.x(), radius.y()), turn = arc.axis.z();
+  const double size = radius.head<2>().norm(), turn = arc.axis.z();
   tangent_.reset();
   if (size > 0 && std::abs(to.place.xyz.z() - place().z()) <= kSamePlace_mm)
     tangent_ = Direction{-turn * radius.y() / size, turn * radius.x() / size};
@@ -120,8 +121,7 @@ void KlartextRunner::run_arc(const PathWords& words, const ProgramArc& arc, cons
 
 void KlartextRunner::run_read_arc(const PathWords& words, const ArcWords& arc, Target to) {
   const Vec3 start = place();
-  if (std::hypot(to.place.xyz.x() - start.x(), to.place.xyz.y() - start.y()) <= kSamePlace_mm)
-    to.place.xyz.head<2>() = start.head<2>();
+  if ((to.place.xyz - start).head<2>().norm() <= kSamePlace_mm) to.place.xyz.head<2>() = start.head<2>();
   if (to.open.empty() && (start.hasNaN() || to.place.xyz.hasNaN()))
     to.open = "the place at which the arc begins or ends is not known";
   ArcReading read;
@@ -333,7 +333,7 @@ void KlartextRunner::go_polar_arc(const PathWords& words) {
   Target to = target(words);
   const Vec3 start = place();
   const std::array<double, 2> pole = pole_.value_or(std::array<double, 2>{kUnknownValue, kUnknownValue});
-  const double u = start.x() - pole[0], v = start.y() - pole[1], radius = std::hypot(u, v);
+  const double u = start.x() - pole[0], v = start.y() - pole[1], radius = std::sqrt(u * u + v * v);
   const double from_deg = std::atan2(v, u) * kDegreesPerRad;
   const auto angle = words.polar_angle;
   constexpr double kMost_deg = 5400;  // input range of CP
@@ -374,7 +374,7 @@ void KlartextRunner::go_tangentially(const PathWords& words, bool is_polar) {
   if (words.xyz[2]) to.open = "CT with a third axis is not read";
   if (!tangent_ && to.open.empty()) to.open = "the direction in which CT begins is not known";
   const Direction along = tangent_.value_or(Direction{kUnknownValue, kUnknownValue});
-  const double aside = along.x * dv - along.y * du, chord = std::hypot(du, dv);
+  const double aside = along.x * dv - along.y * du, chord = std::sqrt(du * du + dv * dv);
   constexpr double kStraight = 1e-6;  // sine of the angle between chord and tangent
   if (!(std::abs(aside) > kStraight * chord) && to.open.empty())
     to.open = "CT ends in the direction in which it begins";

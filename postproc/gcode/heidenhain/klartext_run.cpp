@@ -32,6 +32,12 @@ std::string take_label(std::string_view& text) {
   return std::to_string(*number);
 }
 
+/// Returns whether a line certainly begins a straight line: most lines do, and need not be read to know it.
+bool is_plain_line(std::string_view line) {
+  const std::size_t first = line.find_first_not_of("0123456789 \t");
+  return first != std::string_view::npos && line.substr(first).starts_with("L ");
+}
+
 /// Compares two values. Unknown where they are so close that rounding on the control decides.
 std::optional<bool> compare(int function, double a, double b) {
   constexpr double kRounding = 1e-6;
@@ -119,6 +125,7 @@ void KlartextRun::run_block(const KlartextBlock& block) {
 }
 
 bool KlartextRun::is_corner_next() const {
+  if (next_ < text_.end() && is_plain_line(text_.line(next_))) return false;
   for (std::size_t at = next_; at < text_.end();) {
     const KlartextBlock next = read_klartext_block(text_, at);
     at = std::max(next.next_index, at + 1);

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-// What the miscellaneous functions and the cycles of the control mean. docs/formats/gcode_heidenhain.md has the sources.
+// Meanings of the miscellaneous functions and the cycles of the control. docs/formats/gcode_heidenhain.md has the sources.
 
 namespace gouge {
 

@@ -37,7 +37,7 @@ struct PathWords {
   [[nodiscard]] const KlartextFunction* function(KlartextMeaning meaning) const;
 };
 
-/// Which words a statement allows besides F and M.
+/// Words that a statement allows besides F and M.
 struct PathForm {
   bool has_coordinates = false, has_compensation = false, has_polar = false, has_radius = false, has_direction = false;
 };

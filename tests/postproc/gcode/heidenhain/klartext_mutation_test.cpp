@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "tests/postproc/gcode/heidenhain/klartext.h"
+#include "tests/support/scatter.h"
 
 // A removed, doubled or damaged word never makes a program clean that was not.
 
@@ -109,19 +108,18 @@ TEST(KlartextMutation, ARemovedWordDoesNotMakeAProgramClean) {
 }
 
 TEST(KlartextMutation, NoBytesEndTheProgramItself) {
-  std::mt19937 random(45);
-  const auto draw = [&](std::size_t below) { return std::uniform_int_distribution<std::size_t>(0, below - 1)(random); };
+  test::Scatter random(45);
   std::vector<std::string> all = whole_programs();
   all.insert(all.end(), open_programs().begin(), open_programs().end());
   for (int round = 0; round < 20'000; ++round) {
-    std::string text = with_ends(all[draw(all.size())] + all[draw(all.size())]);
-    for (std::size_t change = 0; change < 1 + draw(6); ++change) {
-      const std::size_t at = draw(text.size());
-      const std::size_t kind = draw(4);
-      if (kind == 0) text[at] = static_cast<char>(draw(256));
-      if (kind == 1) text.erase(at, draw(20));
-      if (kind == 2) text.insert(at, text.substr(draw(text.size()), draw(20)));
-      if (kind == 3) text[at] = "0123456789+-.QXYZ\";~/\r\n"[draw(23)];
+    std::string text = with_ends(all[random.below(all.size())] + all[random.below(all.size())]);
+    for (std::size_t change = 0; change < 1 + random.below(6); ++change) {
+      const std::size_t at = random.below(text.size());
+      const std::size_t kind = random.below(4);
+      if (kind == 0) text[at] = static_cast<char>(random.below(256));
+      if (kind == 1) text.erase(at, random.below(20));
+      if (kind == 2) text.insert(at, text.substr(random.below(text.size()), random.below(20)));
+      if (kind == 3) text[at] = "0123456789+-.QXYZ\";~/\r\n"[random.below(23)];
     }
     const ReadOutcome outcome = outcome_of(text);
     EXPECT_TRUE(outcome.toolpath || !outcome.errors.empty());
