@@ -212,6 +212,9 @@ std::string KlartextRunner::why_not_drilled() const {
   const std::string name = "cycle " + std::to_string(cycle_.row->number);
   for (const int needed : {200, 201, 203, 204})
     if (!is_stated(needed)) return name + " does not state Q" + std::to_string(needed);
+  for (const auto& [number, value] : q)
+    if (is_known(value) && std::abs(parameters_.value("Q" + std::to_string(number)) - value) > 0)
+      return name + ": Q" + std::to_string(number) + " has changed since its definition";
   if (cycle_.row->form == KlartextDrilling::not_checked) return name + ": " + std::string(cycle_.row->note);
   const int zero = cycle_.row->zero_parameter;
   const bool is_other = zero > 0 && (q.contains(zero) ? !(std::abs(q.at(zero)) <= 0) : cycle_.row->needs_zero);

@@ -10,7 +10,7 @@ namespace gouge {
 namespace {
 
 /// Blocks that may run beyond those of the file: loops that do not end are ended here.
-constexpr std::size_t kMaxRepeatedKlartext = 10'000'000;
+constexpr std::size_t kMaxRepeatedKlartext = 2'000'000;
 constexpr std::size_t kMaxKlartextCalls = 64;
 constexpr int kMaxRepeats = 65'534;  // input range of REP
 

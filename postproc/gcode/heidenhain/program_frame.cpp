@@ -8,7 +8,7 @@ namespace gouge {
 
 Vec3 ProgramFrame::outside(const Vec3& program) const {
   Vec3 made = program;
-  for (int i = 0; i < 3; ++i) made[i] *= scale_ * (i < 2 && mirror_.at(static_cast<std::size_t>(i)) ? -1 : 1);
+  for (int i = 0; i < 3; ++i) made[i] *= (i < 2 && mirror_.at(static_cast<std::size_t>(i)) ? -1 : 1);
   if (std::abs(rotation_deg_) > 0) {
     const double c = std::cos(rotation_deg_ * kDegree_rad), s = std::sin(rotation_deg_ * kDegree_rad);
     made = Vec3(c * made.x() - s * made.y(), s * made.x() + c * made.y(), made.z());
@@ -22,13 +22,11 @@ Vec3 ProgramFrame::inside(const Vec3& outside) const {
     const double c = std::cos(rotation_deg_ * kDegree_rad), s = std::sin(rotation_deg_ * kDegree_rad);
     made = Vec3(c * made.x() + s * made.y(), -s * made.x() + c * made.y(), made.z());
   }
-  for (int i = 0; i < 3; ++i) made[i] *= (i < 2 && mirror_.at(static_cast<std::size_t>(i)) ? -1 : 1) / scale_;
+  for (int i = 0; i < 3; ++i) made[i] *= (i < 2 && mirror_.at(static_cast<std::size_t>(i)) ? -1 : 1);
   return made;
 }
 
-bool ProgramFrame::is_turned() const {
-  return std::abs(rotation_deg_) > 0 || mirror_[0] || mirror_[1] || std::abs(scale_ - 1) > 0;
-}
+bool ProgramFrame::is_turned() const { return std::abs(rotation_deg_) > 0 || mirror_[0] || mirror_[1] || is_scaled_; }
 
 void ProgramFrame::lose(const std::string& reason) {
   if (open_.empty()) open_ = reason;
@@ -36,8 +34,7 @@ void ProgramFrame::lose(const std::string& reason) {
 
 // Only combinations in the order of the manual's example are known.
 void ProgramFrame::combine(const char* what) {
-  const int turned =
-      (std::abs(rotation_deg_) > 0 ? 1 : 0) + (mirror_[0] || mirror_[1] ? 1 : 0) + (std::abs(scale_ - 1) > 0 ? 1 : 0);
+  const int turned = (std::abs(rotation_deg_) > 0 ? 1 : 0) + (mirror_[0] || mirror_[1] ? 1 : 0) + (is_scaled_ ? 1 : 0);
   if (turned > 1)
     lose(std::string("no manual at hand states the order of ") + what + " and the transformation before it");
 }
@@ -86,12 +83,10 @@ void ProgramFrame::mirror(bool x, bool y) {
   combine("a mirror image");
 }
 
+// Machine parameter 7410 states whether a scale holds for all three axes or for the working plane.
 void ProgramFrame::scale(double factor) {
-  constexpr double kLeast = 1e-6, kMost = 100;  // the input range of cycle 11
-  const bool is_known = factor >= kLeast && factor < kMost;
-  if (!is_known) lose("the factor of a scale is not known");
-  scale_ = is_known ? factor : 1;
-  combine("a scale");
+  is_scaled_ = !(std::abs(factor - 1) <= 0);
+  if (is_scaled_) lose("a parameter of the control states which axes a scale changes");
 }
 
 Vec3 ProgramFrame::begin_tilt() {

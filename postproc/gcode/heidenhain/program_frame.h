@@ -9,7 +9,7 @@
 namespace gouge {
 
 /// The frame of a Klartext program within the preset, or within a tilted plane: a datum shift, then a rotation in the
-/// plane of X and Y or a mirror image, then a scale. Lengths in mm.
+/// plane of X and Y or a mirror image. Lengths in mm. A scale makes it unknown.
 /// Source   TNC 407 280 580, cycles 7, 8, 10 and 11; the order in which a manual combines them: datum shift, tilted plane,
 ///          rotation.
 class ProgramFrame {
@@ -51,10 +51,10 @@ class ProgramFrame {
   void combine(const char* what);
 
   Vec3 shift_ = Vec3::Zero(), tilt_origin_ = Vec3::Zero();
-  double rotation_deg_ = 0, scale_ = 1;
+  double rotation_deg_ = 0;
   std::array<bool, 2> mirror_{};
   std::array<bool, 3> named_{}, stepped_{};  // by the datum shift that runs: as absolute values, and as steps
-  bool is_tilted_ = false, is_shifting_ = false;
+  bool is_tilted_ = false, is_shifting_ = false, is_scaled_ = false;
   std::string open_;
 };
 

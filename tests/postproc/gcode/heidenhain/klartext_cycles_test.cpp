@@ -56,6 +56,11 @@ TEST(KlartextCycles, AreNotCheckedWithoutTheirValues) {
     expect_open(kStart + drilling(number) + "CYCL CALL\n", "cycle " + number);
 }
 
+TEST(KlartextCycles, AreNotCheckedWhereTheirValuesChange) {
+  expect_open(kStart + drilling("200") + "Q201 = -30\nCYCL CALL\n", "Q201 has changed");
+  EXPECT_EQ(count_open(blocks_of(kStart + drilling("200") + "Q201 = -15\nCYCL CALL\n")), 0U);
+}
+
 TEST(KlartextCycles, CentreByDepth) {
   EXPECT_EQ(tips(blocks_of(kStart + drilling("240", " ~\nQ343=+0 ;SELECT DIA.") + "CYCL CALL\n")),
             "(10,20,50) (10,20,7) (10,20,-10) (10,20,7) (10,20,35)");

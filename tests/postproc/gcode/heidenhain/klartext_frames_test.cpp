@@ -55,13 +55,16 @@ TEST(KlartextFrames, AreMirroredWithTheirArcs) {
   EXPECT_DOUBLE_EQ(both.arcs[both.moves[1].curve].axis.z(), 1);
 }
 
-TEST(KlartextFrames, AreScaled) { EXPECT_EQ(tips(blocks_of(scale("2") + kStart)), "(20,0,10)"); }
+TEST(KlartextFrames, AreNotKnownByAScale) {
+  expect_open(scale("2") + kStart, "which axes a scale changes");
+  EXPECT_EQ(tips(blocks_of(scale("1") + kStart)), "(10,0,5)");
+}
 
 TEST(KlartextFrames, AreNotKnownInOrdersThatNoManualStates) {
   expect_open(rotation("ROT+90") + mirror("X") + kStart, "the order");
   expect_open(rotation("ROT+90") + shift("X+1", "Y+0", "Z+0") + kStart, "its directions");
   expect_open(rotation("ROT+Q1") + kStart, "not known");
-  expect_open(scale("0") + kStart, "factor");
+  expect_open(scale("0") + kStart, "scale");
   // A whole reset makes the frame known again.
   const std::string reset = rotation("ROT+0") + mirror("") + shift("X+0", "Y+0", "Z+0");
   EXPECT_EQ(count_open(blocks_of(rotation("ROT+90") + mirror("X") + reset + kStart)), 0U);
