@@ -73,6 +73,7 @@ bool begin_block(std::string_view line, KlartextBlock& block) {
   if (line.starts_with(';') || line.starts_with('*')) {
     const std::size_t first = line.find_first_not_of(";*- \t");
     block.comment = first == std::string_view::npos ? std::string_view() : line.substr(first);
+    std::ranges::replace(block.comment, '\r', ' ');
     check_comment(line, block);
     return false;
   }

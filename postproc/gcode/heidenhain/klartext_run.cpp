@@ -32,10 +32,11 @@ std::string take_label(std::string_view& text) {
   return std::to_string(*number);
 }
 
-/// Returns whether a line certainly begins a straight line: most lines do, and need not be read to know it.
+/// Returns whether a line certainly is a straight line and a whole block: most lines are, and need not be read to know it.
 bool is_plain_line(std::string_view line) {
-  const std::size_t first = line.find_first_not_of("0123456789 \t");
-  return first != std::string_view::npos && line.substr(first).starts_with("L ");
+  while (!line.empty() && (line[0] == ' ' || line[0] == '\t' || (line[0] >= '0' && line[0] <= '9')))
+    line.remove_prefix(1);
+  return line.starts_with("L ") && !line.ends_with('~');
 }
 
 /// Compares two values. Unknown where they are so close that rounding on the control decides.
@@ -73,6 +74,10 @@ void KlartextRun::run_start(std::string_view blocks) {
 
 void KlartextRun::find_labels() {
   for (std::size_t i = text_.begin(); i < text_.end();) {
+    if (is_plain_line(text_.line(i))) {
+      ++i;
+      continue;
+    }
     const KlartextBlock block = read_klartext_block(text_, i);
     std::string_view text = block.text;
     if (take_keywords(text, "END PGM")) return;

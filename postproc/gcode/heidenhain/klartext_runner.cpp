@@ -60,6 +60,8 @@ void KlartextRunner::run(const KlartextBlock& block, std::size_t line, bool is_c
 }
 
 void KlartextRunner::run_statement(std::string_view text) {
+  const bool is_line = text.starts_with("L ") && has_begun_ && !has_ended_;
+  if (is_line && run_path_statement(text)) return;
   if (take_keywords(text, "BEGIN PGM")) return begin_program(text);
   if (has_ended_) return lose_rest("a block behind the end of the program");
   if (take_keywords(text, "END PGM")) {
@@ -135,9 +137,8 @@ bool KlartextRunner::read_words(std::string_view text, Words& words) {
 }
 
 bool KlartextRunner::take_words(std::string_view text, const PathForm& form, PathWords& taken) {
-  Words words;
-  if (!read_words(text, words)) return false;
-  const std::string wrong = take_path_words(words, form, input_.options.harmless_words, taken);
+  if (!read_words(text, path_words_)) return false;
+  const std::string wrong = take_path_words(path_words_, form, input_.options.harmless_words, taken);
   if (!wrong.empty()) lose_rest(wrong);
   return wrong.empty();
 }

@@ -120,6 +120,7 @@ class KlartextRunner {
   void choose_preset(std::optional<int> number);
 
   const ProgramInput& input_;
+  Words path_words_;  // memory that is used again
   const ProgramSetup& setup_;
   ProgramMotion& motion_;
   QParameters& parameters_;

@@ -1,6 +1,5 @@
 #include "postproc/gcode/heidenhain/klartext_words.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -34,7 +33,7 @@ class WordReader {
 
  private:
   bool skip() {
-    text_.remove_prefix(std::min(text_.find_first_not_of(" \t"), text_.size()));
+    while (!text_.empty() && (text_[0] == ' ' || text_[0] == '\t')) text_.remove_prefix(1);
     return !text_.empty();
   }
 

@@ -38,10 +38,10 @@ class PathWordTaker {
     const bool is_step = name.size() == 2 && name[0] == 'I';
     if (is_step) name.remove_prefix(1);
     if (name.size() != 1) return false;
-    const std::size_t linear = std::string_view("XYZ").find(name[0]), rotary = std::string_view("ABC").find(name[0]);
     const PathCoordinate made{word.value, is_step, word.parameter};
-    if (linear != std::string_view::npos) return store(taken_.xyz.at(linear), made);
-    return rotary != std::string_view::npos && store(taken_.abc.at(rotary), made);
+    const char axis = name[0];
+    if (axis >= 'X' && axis <= 'Z') return store(taken_.xyz.at(static_cast<std::size_t>(axis - 'X')), made);
+    return axis >= 'A' && axis <= 'C' && store(taken_.abc.at(static_cast<std::size_t>(axis - 'A')), made);
   }
 
   bool take_polar(const KlartextWord& word) {
