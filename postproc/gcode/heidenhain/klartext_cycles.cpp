@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/gcode/heidenhain/klartext_runner.h"
@@ -68,37 +69,59 @@ void KlartextRunner::define_step(int cycle, int step, std::string_view text) {
   if (!read_words(text, words)) return;
   pole_.reset();
   polar_.reset();
-  const bool has_one = words.size() == 1 && words[0].kind == KlartextWord::Kind::number;
   if (cycle == kTolerance) return define_tolerance(step, words);
   if (cycle == kDatumShift) return define_shift(words);
   if (step != 1) return lose_rest(name + " is not read");
-  if (cycle == kRotation) {
-    if (!has_one || (words[0].name != "ROT" && words[0].name != "IROT")) return lose_rest(name + " needs ROT");
-    frame_.rotate(words[0].value, words[0].name == "IROT");
-  } else if (cycle == kScale) {
-    if (!has_one || words[0].name != "SCL") return lose_rest(name + " needs SCL");
-    frame_.scale(words[0].value);
-  } else if (cycle == kMirror) {
-    bool is_read = words.size() <= 2;
-    for (const KlartextWord& word : words) is_read = is_read && (word.is("X") || word.is("Y"));
-    if (!is_read || (words.size() == 2 && words[0].name == words[1].name))
-      return lose_rest(name + " is read with X and Y alone");
-    const auto has = [&](std::string_view axis) {
-      return std::ranges::any_of(words, [&](const KlartextWord& word) { return word.name == axis; });
-    };
-    frame_.mirror(has("X"), has("Y"));
-  } else {
-    const bool is_zero = std::ranges::all_of(words, [](const KlartextWord& word) {
-      const bool is_angle = word.name == "A" || word.name == "B" || word.name == "C";
-      return is_angle && word.kind == KlartextWord::Kind::number && std::abs(word.value) <= 0;
-    });
-    if (is_zero) return end_tilt("STAY");
-    tilt(
-        "a parameter of the control states whether the angles of cycle 19 are spatial or of the rotary axes; expected "
-        "PLANE SPATIAL",
-        Eigen::Matrix3d::Identity(), "STAY");
-  }
+  if (cycle == kWorkingPlane) return define_working_plane(words);
+  if (cycle == kMirror)
+    define_mirror(words);
+  else
+    define_value(cycle, words);
   settle_frame();
+}
+
+void KlartextRunner::define_value(int cycle, const Words& words) {
+  const bool is_rotation = cycle == kRotation,
+             is_number = words.size() == 1 && words[0].kind == KlartextWord::Kind::number;
+  const std::string_view value = is_rotation ? "ROT" : "SCL";
+  const bool is_step = is_number && is_rotation && words[0].name == "IROT";
+  if (!is_number || (words[0].name != value && !is_step))
+    return lose_rest("CYCL DEF " + std::to_string(cycle) + ".1 needs " + std::string(value));
+  if (is_rotation)
+    frame_.rotate(words[0].value, is_step);
+  else
+    frame_.scale(words[0].value);
+}
+
+void KlartextRunner::define_mirror(const Words& words) {
+  std::array<bool, 2> axes{};
+  for (const KlartextWord& word : words) {
+    const bool is_read = word.is("X") || word.is("Y");
+    if (!is_read || std::exchange(axes.at(word.name == "X" ? 0 : 1), true))
+      return lose_rest("CYCL DEF 8.1 is read with X and Y alone, each once");
+  }
+  frame_.mirror(axes[0], axes[1]);
+}
+
+// Source: TNC 320 340 55x-04, p. 258: spatial angles, or positions of the rotary axes, as the machine states.
+void KlartextRunner::define_working_plane(const Words& words) {
+  std::array<std::optional<double>, 3> stated;
+  for (const KlartextWord& word : words) {
+    const std::size_t axis =
+        word.name.size() == 1 ? std::string_view("ABC").find(word.name[0]) : std::string_view::npos;
+    const bool is_angle = word.kind == KlartextWord::Kind::number && axis != std::string_view::npos;
+    if (!is_angle || std::exchange(stated.at(axis), word.value))
+      return lose_rest("CYCL DEF 19.1 is read with A, B and C alone, each once");
+  }
+  const bool is_zero = std::ranges::all_of(stated, [](const auto& angle) { return std::abs(angle.value_or(0)) <= 0; });
+  if (is_zero) return end_tilt("STAY");
+  const bool is_whole = std::ranges::all_of(stated, [](const auto& angle) { return angle && is_known(*angle); });
+  const std::string open = !is_whole ? "cycle 19 does not state A, B and C"
+                           : !are_cycle_angles_spatial_
+                               ? "the machine states whether the angles of cycle 19 are spatial or of the rotary axes; "
+                                 "expected PLANE SPATIAL, or --start \"CYCL DEF 19 SPATIAL\""
+                               : "";
+  tilt(open, Vec3(stated[0].value_or(0), stated[1].value_or(0), stated[2].value_or(0)), "STAY");
 }
 
 // Source: TNC 407 280 580, Cycle 7: absolute values refer to the datum, steps to the shift in force.

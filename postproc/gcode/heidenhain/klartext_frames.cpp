@@ -66,16 +66,15 @@ void KlartextRunner::define_plane(std::string_view text) {
   }
   const std::string wrong = take_positioning(words, 4, positioning);
   if (!wrong.empty()) return lose_rest(wrong);
-  tilt(angles.hasNaN() ? "an angle of PLANE SPATIAL is not known" : "",
-       angles.hasNaN() ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : spatial_rotation(angles), positioning);
+  tilt(angles.hasNaN() ? "an angle of PLANE SPATIAL is not known" : "", angles, positioning);
 }
 
-void KlartextRunner::tilt(const std::string& reason, const Eigen::Matrix3d& rotation, std::string_view positioning) {
+void KlartextRunner::tilt(const std::string& reason, const Vec3& angles_deg, std::string_view positioning) {
   tangent_.reset();
   pole_.reset();
   RigidTransform plane;
   plane.shift = frame_.begin_tilt();
-  plane.rotation = rotation;
+  if (reason.empty()) plane.rotation = spatial_rotation(angles_deg);
   tilt_open_ = reason;
   has_tilt_ = true;
   settle_frame();

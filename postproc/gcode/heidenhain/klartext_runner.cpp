@@ -70,22 +70,27 @@ void KlartextRunner::run_statement(std::string_view text) {
     return;
   }
   if (!has_begun_ && line_ > 0) return lose_rest(first_word(text) + " stands before BEGIN PGM");
+  if (line_ == 0 && take_start_fact(text)) return;
   if (take_keywords(text, "TOOL CALL")) return call_tool(text);
   if (take_keywords(text, "TOOL DEF")) return define_tool(text);
   if (take_keywords(text, "CYCL DEF") || take_keywords(text, "CYCLE DEF")) return define_cycle(text);
   if (take_keywords(text, "CYCL CALL")) return call_cycle(text);
   if (take_keywords(text, "PLANE")) return define_plane(text);
   if (take_keywords(text, "FUNCTION")) return control_tip(text);
-  if (line_ == 0 && text == "REFPNT TIP-TIP") {
-    are_points_of_tip_ = true;
-    return;
-  }
   std::string_view rest = text;
   for (const std::string_view statement : kHarmlessStatements)
     if (take_keywords(rest, statement)) return;
   if (take_keywords(rest, "STOP")) return run_functions(rest);
   if (text[0] == 'M' && text.size() > 1 && text[1] >= '0' && text[1] <= '9') return run_functions(text);
   if (!run_path_statement(text)) lose_rest(first_word(text) + " begins a statement that is not read");
+}
+
+// Facts of the machine that no program states. The user states them among the blocks at the start.
+bool KlartextRunner::take_start_fact(std::string_view text) {
+  const bool is_point = text == "REFPNT TIP-TIP", is_plane = text == "CYCL DEF 19 SPATIAL";
+  are_points_of_tip_ = are_points_of_tip_ || is_point;
+  are_cycle_angles_spatial_ = are_cycle_angles_spatial_ || is_plane;
+  return is_point || is_plane;
 }
 
 bool KlartextRunner::run_path_statement(std::string_view text) {

@@ -57,6 +57,7 @@ class KlartextRunner {
 
   // Statements: klartext_runner.cpp.
   void run_statement(std::string_view text);
+  [[nodiscard]] bool take_start_fact(std::string_view text);
   bool run_path_statement(std::string_view text);
   void begin_program(std::string_view text);
   void call_tool(std::string_view text);
@@ -69,7 +70,8 @@ class KlartextRunner {
 
   // Frames: klartext_frames.cpp.
   void define_plane(std::string_view text);
-  void tilt(const std::string& reason, const Eigen::Matrix3d& rotation, std::string_view positioning);
+  /// Begins a tilted plane by spatial angles; with a reason why they are not known.
+  void tilt(const std::string& reason, const Vec3& angles_deg, std::string_view positioning);
   void end_tilt(std::string_view positioning);
   [[nodiscard]] std::string take_positioning(const Words& words, std::size_t first, std::string_view& found) const;
   void control_tip(std::string_view text);
@@ -79,7 +81,7 @@ class KlartextRunner {
   void settle_frame();
   void end_shift();
 
-  // Motions: klartext_motion.cpp.
+  // Motions: klartext_motion.cpp and klartext_arcs.cpp.
   void go_line(const PathWords& words);
   void go_polar_line(const PathWords& words);
   void go_about_pole(const PathWords& words);
@@ -112,6 +114,9 @@ class KlartextRunner {
   void define_cycle(std::string_view text);
   void define_step(int cycle, int step, std::string_view text);
   void define_shift(const Words& words);
+  void define_value(int cycle, const Words& words);
+  void define_mirror(const Words& words);
+  void define_working_plane(const Words& words);
   void define_tolerance(int step, const Words& words);
   void define_parameters(int cycle, std::string_view text);
   void call_cycle(std::string_view text);
@@ -143,7 +148,8 @@ class KlartextRunner {
   bool follows_corner_ = false;  // the last block has rounded a corner
   bool is_tilt_open_ = false;    // the rotary axes have not gone to the tilted plane yet
   bool has_tilt_ = false;
-  bool are_points_of_tip_ = false;  // REFPNT TIP-TIP is stated at the start
+  bool are_cycle_angles_spatial_ = false;  // stated at the start: those of cycle 19
+  bool are_points_of_tip_ = false;         // REFPNT TIP-TIP is stated at the start
   std::string length_open_, tip_open_, tolerance_open_, path_open_, tilt_open_;
   std::size_t line_ = 0;
 };

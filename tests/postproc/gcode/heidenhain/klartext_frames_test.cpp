@@ -120,10 +120,17 @@ TEST(KlartextFrames, AreRefusedInOtherForms) {
               "ends before");
 }
 
-TEST(KlartextFrames, OfCycle19AreNotKnown) {
-  const std::string cycle = "CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+45 C+0\n";
-  expect_open(kStart + cycle + "L X+1 Y+1 Z+1\n", "spatial or of the rotary axes");
+TEST(KlartextFrames, OfCycle19NeedAFactOfTheMachine) {
+  const std::string cycle = "CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+90 C+0\n";
+  const std::string aligned = cycle + "L B+Q121 C+Q122 FMAX\nL X+1 Y+2 Z+3 FMAX\nL X+0\n";
+  expect_open(kStart + aligned, "spatial or of the rotary axes");
   EXPECT_EQ(count_open(blocks_of("CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+0 C+0\n" + kStart)), 0U);
+  GcodeOptions options;
+  options.setup.start = "CYCL DEF 19 SPATIAL\n";
+  EXPECT_EQ(tips(blocks_of(aligned, options)), "(3,2,-1) (3,2,0)");
+  expect_open("CYCL DEF 19.0 X\nCYCL DEF 19.1 B+90\n" + kStart, "does not state A, B and C", options);
+  expect_open("CYCL DEF 19.0 X\nCYCL DEF 19.1 A+0 B+90 B+90\n" + kStart, "each once", options);
+  expect_open("CYCL DEF 19 SPATIAL\n" + kStart, "not read");  // no block of a program
 }
 
 TEST(KlartextFrames, BeginAtTheirPreset) {
