@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kDegreesOfRad = 180 / std::numbers::pi;
+// Ends of a circle that meet but for the rounding of frames.
 constexpr double kMeet_mm = Tolerance::kSamePoint_mm;
 
 }  // namespace
@@ -99,7 +99,7 @@ void KlartextRunner::go_polar_arc(const PathWords& words) {
   const Vec3 start = place();
   const std::array<double, 2> pole = pole_.value_or(std::array<double, 2>{kUnknownValue, kUnknownValue});
   const double u = start.x() - pole[0], v = start.y() - pole[1], radius = std::sqrt(u * u + v * v);
-  const double from_deg = std::atan2(v, u) * kDegreesOfRad;
+  const double from_deg = std::atan2(v, u) / kDegree_rad;
   const auto angle = words.polar_angle;
   constexpr double kMost_deg = 5400;  // input range of CP
   if (words.polar_radius || words.xyz[0] || words.xyz[1]) to.open = "CP states more than its angle and the third axis";
@@ -117,14 +117,14 @@ void KlartextRunner::go_polar_arc(const PathWords& words) {
     if (sweep_deg * wanted < 0) to.open = "the signs of IPA and DR of CP differ";
     if (is_doubtful) to.open = "the ends of CP nearly meet";
   }
-  const double end_rad = (from_deg + sweep_deg) / kDegreesOfRad;
+  const double end_rad = (from_deg + sweep_deg) * kDegree_rad;
   to.place.xyz.x() = pole[0] + radius * std::cos(end_rad);
   to.place.xyz.y() = pole[1] + radius * std::sin(end_rad);
   polar_ = Polar{radius, from_deg + sweep_deg};
   ProgramArc arc;
   arc.centre = Vec3(pole[0], pole[1], start.z());
   arc.axis = Vec3(0, 0, sweep_deg < 0 ? -1 : 1);
-  arc.sweep_rad = std::abs(sweep_deg) / kDegreesOfRad;
+  arc.sweep_rad = std::abs(sweep_deg) * kDegree_rad;
   if (to.open.empty() && to.place.xyz.hasNaN()) to.open = "the place at which the arc begins or ends is not known";
   run_arc(words, arc, to);
   end_motion(words);

@@ -11,8 +11,6 @@ namespace {
 
 using Meaning = KlartextMeaning;
 
-constexpr double kDegreesPerRad = 180 / std::numbers::pi;
-// Ends of a circle that meet but for the rounding of frames.
 constexpr double kSamePlace_mm = Tolerance::kSamePoint_mm;
 
 }  // namespace
@@ -234,8 +232,8 @@ KlartextRunner::Target KlartextRunner::polar_target(const PathWords& words) {
   if (const auto& word = words.polar_radius) radius = length(word->value) + (word->is_step ? radius : 0);
   if (const auto& word = words.polar_angle) angle = word->value + (word->is_step ? angle : 0);
   const std::array<double, 2> pole = pole_.value_or(std::array<double, 2>{unknown, unknown});
-  to.place.xyz.x() = pole[0] + radius * std::cos(angle / kDegreesPerRad);
-  to.place.xyz.y() = pole[1] + radius * std::sin(angle / kDegreesPerRad);
+  to.place.xyz.x() = pole[0] + radius * std::cos(angle * kDegree_rad);
+  to.place.xyz.y() = pole[1] + radius * std::sin(angle * kDegree_rad);
   if (words.xyz[0] || words.xyz[1]) to.open = "a block states both X or Y and polar coordinates";
   if (words.function(Meaning::machine_place) != nullptr) to.open = "polar coordinates of a place of the machine";
   if (to.place.xyz.head<2>().hasNaN() && to.open.empty()) to.open = "the pole, the radius or the angle is not known";

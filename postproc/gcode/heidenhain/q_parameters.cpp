@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "lib/base/number_text.h"
+#include "lib/base/units.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kDeepestFormula = 50;  // brackets in each other
 
 bool is_formula_digit(char c) { return c >= '0' && c <= '9'; }
@@ -19,12 +19,12 @@ double finite(double value) { return std::isinf(value) ? kUnknownValue : value; 
 
 /// Returns the value of a function; nothing known: the text has an error.
 FormulaValue function_of(const std::string& name, double x) {
-  if (name == "SIN") return {std::sin(x / kDegrees), {}};
-  if (name == "COS") return {std::cos(x / kDegrees), {}};
-  if (name == "TAN") return {std::tan(x / kDegrees), {}};
-  if (name == "ASIN") return {std::asin(x) * kDegrees, {}};
-  if (name == "ACOS") return {std::acos(x) * kDegrees, {}};
-  if (name == "ATAN") return {std::atan(x) * kDegrees, {}};
+  if (name == "SIN") return {std::sin(x * kDegree_rad), {}};
+  if (name == "COS") return {std::cos(x * kDegree_rad), {}};
+  if (name == "TAN") return {std::tan(x * kDegree_rad), {}};
+  if (name == "ASIN") return {std::asin(x) / kDegree_rad, {}};
+  if (name == "ACOS") return {std::acos(x) / kDegree_rad, {}};
+  if (name == "ATAN") return {std::atan(x) / kDegree_rad, {}};
   if (name == "SQ") return {x * x, {}};
   if (name == "SQRT") return {std::sqrt(x), {}};
   if (name == "ABS") return {std::abs(x), {}};
