@@ -62,6 +62,8 @@ bool take_tilde(std::string_view& line) {
 
 /// Begins a block with its first line. Returns whether the next line belongs to it.
 bool begin_block(std::string_view line, KlartextBlock& block) {
+  constexpr std::string_view kMarkOfBytes = "\xef\xbb\xbf";
+  if (line.starts_with(kMarkOfBytes)) line.remove_prefix(kMarkOfBytes.size());
   line = trim_blanks(line);
   for (int mark = 0; mark < 2; ++mark) {
     if (mark == 0 || block.is_skippable) remove_block_number(line);

@@ -159,8 +159,14 @@ void KlartextRunner::begin_tip_control(const std::string& open) {
   }
   tangent_.reset();
   tip_open_ = open;
-  motion_.set_tip_control(TipControl::on);
+  switch_tip_control(TipControl::on);
   settle_length();
+}
+
+// Whether the length must be known depends on tip control, so that it is applied anew.
+void KlartextRunner::switch_tip_control(TipControl control) {
+  motion_.set_tip_control(control);
+  motion_.apply_length(std::nullopt);
 }
 
 void KlartextRunner::end_tip_control() {
@@ -170,7 +176,7 @@ void KlartextRunner::end_tip_control() {
   if (chose_positions)
     motion_.go_unchecked(MoveKind::feed, AxisPlace{},
                          "the rotary positions at the end of tool centre point control are not known");
-  motion_.set_tip_control(TipControl::off);
+  switch_tip_control(TipControl::off);
   settle_length();
 }
 

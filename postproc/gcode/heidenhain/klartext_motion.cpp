@@ -134,6 +134,8 @@ void KlartextRunner::aim_rotary(const PathWords& words, Target& to) {
                                                  : "; expected --machine, which states where this axis is"),
                                 input_.path.file, line_);
   }
+  if (words.function(Meaning::shortest_off) != nullptr && to.open.empty())
+    to.open = "rotary axes turn in the block of M127, and no manual states when it acts";
   if (!has_tilt_) return;
   tilt_open_ = "rotary axes turn in a tilted plane in line " + std::to_string(line_);
   settle_frame();

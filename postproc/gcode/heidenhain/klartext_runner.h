@@ -78,6 +78,7 @@ class KlartextRunner {
   void begin_tip_control(const std::string& open);
   [[nodiscard]] std::string why_point_open() const;
   void end_tip_control();
+  void switch_tip_control(TipControl control);
   void settle_frame();
   void end_shift();
 

@@ -76,8 +76,9 @@ class PathWordTaker {
     const bool is_next_max = has_next && words[i + 1].is("MAX"), is_next_auto = has_next && words[i + 1].is("AUTO");
     if (!is_max && !is_auto && !is_next_max && !is_next_auto && !word.has_number("F")) return false;
     if (is_next_max || is_next_auto) ++i;
-    if (has_feed_ && !is_after_tip_control_) is_twice_ = true;
-    if (std::exchange(is_after_tip_control_, false)) return true;
+    const bool is_of_tip_control = std::exchange(is_after_tip_control_, false) && word.kind == Kind::number;
+    if (is_of_tip_control) return true;
+    if (has_feed_) is_twice_ = true;
     has_feed_ = true;
     taken_.is_rapid = is_max || is_next_max;
     if (word.kind == Kind::number) taken_.feed = word.value;

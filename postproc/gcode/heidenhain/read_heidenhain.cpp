@@ -8,9 +8,7 @@
 namespace gouge {
 
 bool is_heidenhain_program(std::string_view bytes) {
-  constexpr std::string_view kMarkOfBytes = "\xef\xbb\xbf";
   constexpr std::size_t kLinesOfRecognition = 20;
-  if (bytes.starts_with(kMarkOfBytes)) bytes.remove_prefix(kMarkOfBytes.size());
   for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kLinesOfRecognition; ++lines) {
     const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
     const KlartextBlock block = read_klartext_line(trim_blanks(bytes.substr(at, end - at)));

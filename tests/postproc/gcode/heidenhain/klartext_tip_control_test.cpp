@@ -63,6 +63,7 @@ TEST(KlartextTipControl, BeginsByM128AndEndsByM129) {
   EXPECT_FALSE(path.moves[2].runs_joints);  // M129 acts at the end of its block
   EXPECT_TRUE(path.moves[3].runs_joints);
   EXPECT_DOUBLE_EQ(path.moves[1].feed_mm, 500);
+  EXPECT_EQ(blocks_of(kStart + "L X+10 M128 FMAX\n", machine_with_tip()).moves.back().kind, MoveKind::rapid);
   EXPECT_EQ(count_open(blocks_of(kStart + kTcpm + "L X+5 F100\nFUNCTION RESET TCPM\nL X+6\n", machine())), 0U);
 }
 
@@ -108,6 +109,19 @@ TEST(KlartextTipControl, IsLostByOptionsWithoutAMeaning) {
   expect_open(kStart + "FUNCTION MODE TURN\nL X+1\n", "not understood", machine());
 }
 
+// Only positions without tip control depend on the length of the tool on a rotary head.
+TEST(KlartextTipControl, NeedsTheLengthOnlyWhileItIsOff) {
+  GcodeOptions options = machine_with_tip();
+  options.setup.tool_length_mm.reset();
+  const std::string with_tip =
+      "L B+0 C+0 R0 FMAX\nFUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\nL X+0 Y+0 Z+50 F100\nL X+5 B+10\n";
+  EXPECT_EQ(count_open(blocks_of(with_tip, options)), 0U);
+  EXPECT_GT(count_open(blocks_of(with_tip + "FUNCTION RESET TCPM\nL X+0 Y+0 Z+50 B+20 F100\nL X+5\n", options)), 1U);
+  // The same after a tool change under tip control.
+  EXPECT_GT(count_open(blocks_of(with_tip + "TOOL CALL 2 Z S1\nL M129\nL X+0 Y+0 Z+50 B+20 F100\nL X+5\n", options)),
+            1U);
+}
+
 // Trap 14: M128 with M91 and TOOL CALL.
 TEST(KlartextTipControl, MustEndBeforeTheMachineDatumAndTheTool) {
   GcodeOptions options = machine_with_tip();
@@ -140,7 +154,7 @@ TEST(KlartextRotary, GoesByHalfATurnAndMoreOnlyWhereItsWayIsKnown) {
   EXPECT_EQ(count_open(shorter), 0U) << last_reason(shorter);
   EXPECT_NEAR((*shorter.joints->end.back())[0], 370 * std::numbers::pi / 180, 1e-9);
   expect_open(kStart + kTcpm + "L C+170 F500 M126\nL C+350\n", "half a turn", machine());
-  // M127 ends it after its block.
+  expect_open(kStart + kTcpm + "L C+170 F500 M126\nL C+171 M127\n", "M127", machine());
   expect_open(kStart + kTcpm + "L C+170 F500 M126\nL X+1 M127\nL C+370\n", "--rotary-turns", machine());
 }
 
