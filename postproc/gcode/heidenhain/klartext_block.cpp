@@ -114,7 +114,10 @@ bool take_keywords(std::string_view& text, std::string_view keywords) {
     rest = trim_blanks(rest);
     if (!rest.starts_with(keywords.substr(0, length))) return false;
     rest.remove_prefix(length);
-    const bool goes_on = !rest.empty() && rest[0] >= 'A' && rest[0] <= 'Z';
+    const auto is_of_word = [](char c, char last) {
+      return (c >= 'A' && c <= 'Z') || (is_block_digit(c) && is_block_digit(last));
+    };
+    const bool goes_on = !rest.empty() && is_of_word(rest[0], keywords[length - 1]);
     if (goes_on) return false;
     keywords.remove_prefix(std::min(length + 1, keywords.size()));
   }

@@ -1,6 +1,7 @@
 #include "postproc/gcode/heidenhain/klartext_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lib/base/number_text.h"
@@ -147,10 +148,10 @@ bool KlartextRun::run_flow(std::string_view text) {
   } else if (take_keywords(text, "CALL LBL")) {
     call_label(text);
   } else if (take_keywords(text, "FN")) {
-    std::string_view number = text;
-    static constexpr std::array<std::string_view, 6> kOthers = {"14", "15", "16", "20", "38"};
-    for (const std::string_view other : kOthers)
-      if (!other.empty() && number.starts_with(other)) return false;
+    static constexpr std::array<std::string_view, 5> kWithoutValue = {"14", "15", "16", "20", "38"};
+    std::string_view rest = text;
+    for (const std::string_view number : kWithoutValue)
+      if (take_keywords(rest, number)) return false;
     run_function(text);
   } else if (std::string_view rest = text; !take_parameter_name(rest).empty() && trim_blanks(rest).starts_with('=')) {
     assign(text);

@@ -150,8 +150,8 @@ bool KlartextRunner::take_words(std::string_view text, const PathForm& form, Pat
 
 void KlartextRunner::begin_program(std::string_view text) {
   if (has_begun_) return lose_rest("BEGIN PGM stands within a program");
-  const bool is_mm = text.ends_with(" MM") || text == "MM", is_inch = text.ends_with(" INCH") || text == "INCH";
-  if (!is_mm && !is_inch) return lose_rest("BEGIN PGM states neither MM nor INCH");
+  const bool is_mm = text.ends_with(" MM"), is_inch = text.ends_with(" INCH");
+  if (!is_mm && !is_inch) return lose_rest("BEGIN PGM states no name, or neither MM nor INCH");
   has_begun_ = true;
   unit_ = is_mm ? LengthUnit::mm : LengthUnit::inch;
   facts_.unit_line = line_;

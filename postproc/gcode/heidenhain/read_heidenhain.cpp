@@ -15,7 +15,7 @@ bool is_heidenhain_program(std::string_view bytes) {
     at = end + 1;
     if (block.text.empty()) continue;
     std::string_view text = block.text;
-    return take_keywords(text, "BEGIN PGM") && (text.ends_with("MM") || text.ends_with("INCH"));
+    return take_keywords(text, "BEGIN PGM") && (text.ends_with(" MM") || text.ends_with(" INCH"));
   }
   return false;
 }

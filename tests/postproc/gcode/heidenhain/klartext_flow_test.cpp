@@ -42,6 +42,8 @@ TEST(KlartextFlow, IsLostByValuesThatAreNotKnown) {
   expect_open(kStart + "FN 9: IF +Q1 EQU +1 GOTO LBL 1\nLBL 1\nL X+1\n", "not known");
   expect_open(kStart + "FN 17: SYSWRITE ID220 NR1 = +5\nL X+1\n", "FN 17");
   expect_open(kStart + "FN 26: TABOPEN\nL X+1\n", "FN of this number");
+  expect_open(kStart + "FN 140: ERROR = 1000\nL X+1\n", "FN of this number");
+  EXPECT_EQ(count_open(blocks_of(kStart + "FN 14: ERROR = 1000\nFN 16: F-PRINT A / B\nL X+1\n")), 0U);
   EXPECT_EQ(count_open(blocks_of(kStart + "L X+Q1\nL X+1 Y+0 Z+0 FMAX\nL X+3\n")), 2U);  // known again
 }
 
@@ -81,6 +83,7 @@ TEST(KlartextProgram, HasItsBounds) {
   EXPECT_NE(last_reason(path_of("BEGIN PGM A MM\n" + kStart + "END PGM A MM\nBEGIN PGM B MM\nL X+1\n")).find("within"),
             std::string::npos);
   EXPECT_FALSE(outcome_of("BEGIN PGM A\n" + kStart).toolpath);
+  EXPECT_FALSE(outcome_of("BEGIN PGM MM\n" + kStart).toolpath);
   const auto is_complete = [](const Toolpath& path) {
     for (const Assumption& fact : path.assumptions)
       if (fact.subject == Subject::completeness) return fact.basis == Basis::derived;

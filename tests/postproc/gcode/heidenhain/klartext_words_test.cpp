@@ -77,6 +77,10 @@ TEST(KlartextBlock, HasNeitherNumberNorComment) {
   EXPECT_EQ(read_klartext_line("12 l x+1 ; to the corner").text, "L X+1");
   EXPECT_EQ(read_klartext_line("7 * - ROUGHING").comment, "ROUGHING");
   EXPECT_EQ(read_klartext_line("TOOL CALL \"Mill;1\" Z").text, "TOOL CALL \"Mill;1\" Z");
+  EXPECT_EQ(read_klartext_line("\xef\xbb\xbf"
+                               "0 BEGIN PGM A MM")
+                .text,
+            "BEGIN PGM A MM");
   EXPECT_TRUE(read_klartext_line("/12 L X+1").is_skippable);
   EXPECT_TRUE(read_klartext_line("12 /L X+1").is_skippable);
 }
