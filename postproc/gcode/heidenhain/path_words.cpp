@@ -93,10 +93,17 @@ class PathWordTaker {
     if (std::ranges::find(taken_.functions, row) != taken_.functions.end()) is_twice_ = true;
     taken_.functions.push_back(row);
     is_after_tip_control_ = row->meaning == KlartextMeaning::tip_control_on;
-    const bool has_distance = row->meaning == KlartextMeaning::retract && i + 1 < words.size();
-    if (has_distance && words[i + 1].has_number("MB")) ++i;
-    if (has_distance && words[i + 1].is("MB") && i + 2 < words.size() && words[i + 2].is("MAX")) i += 2;
+    if (row->meaning == KlartextMeaning::retract) take_distance(words, i);
     return true;
+  }
+
+  // MB50, MB MAX
+  static void take_distance(std::span<const KlartextWord> words, std::size_t& i) {
+    const std::span<const KlartextWord> rest = words.subspan(i + 1);
+    if (!rest.empty() && rest[0].has_number("MB"))
+      ++i;
+    else if (rest.size() > 1 && rest[0].is("MB") && rest[1].is("MAX"))
+      i += 2;
   }
 
   const PathForm& form_;

@@ -138,7 +138,9 @@ TEST(KlartextMotion, IsLostByWordsWithoutARow) {
 TEST(KlartextMotion, IsNotCheckedOffThePathOfTheProgram) {
   for (const std::string word : {"M90", "M112", "M118", "M120", "M124"})
     expect_open(kStart + "L X+1 " + word + "\nL X+0\n", "by M");
-  expect_open(kStart + "L M140\nL X+5 Y+5\n", "place");
+  for (const std::string block : {"L M140", "L M140 MB50", "L M140 MB MAX", "L M140 MB+Q1 F100"})
+    expect_open(kStart + block + "\nL X+5 Y+5\n", "place");
+  expect_open(kStart + "L M140 MB\nL X+5\n", "MB");
   EXPECT_EQ(tips(blocks_of(kStart + "L M140 MB MAX\nL X+5 Y+5 Z+5 FMAX\nL X+0\n")), "(0,0,10) open open (0,5,5)");
   EXPECT_EQ(tips(blocks_of(kStart + "M6\nL X+5 Y+5 Z+5 FMAX\nL X+0\n")), "(0,0,10) open open (0,5,5)");
 }
