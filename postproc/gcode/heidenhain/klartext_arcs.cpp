@@ -101,19 +101,19 @@ void KlartextRunner::go_polar_arc(const PathWords& words) {
   const double u = start.x() - pole[0], v = start.y() - pole[1], radius = std::sqrt(u * u + v * v);
   const double from_deg = std::atan2(v, u) / kDegree_rad;
   const auto angle = words.polar_angle;
-  constexpr double kMost_deg = 5400;  // input range of CP
+  constexpr double kMaxAngle_deg = 5400;  // input range of CP
   if (words.polar_radius || words.xyz[0] || words.xyz[1]) to.open = "CP states more than its angle and the third axis";
   if (!angle || !words.is_clockwise) to.open = "CP states no angle or no direction";
-  if (to.open.empty() && !(radius > 0 && std::abs(angle->value) <= kMost_deg))
+  if (to.open.empty() && !(radius > 0 && std::abs(angle->value) <= kMaxAngle_deg))
     to.open = "the pole, the start or the angle of CP is not known";
   double sweep_deg = kUnknownValue;
   if (to.open.empty()) {
     sweep_deg = angle->is_step ? angle->value : std::remainder(angle->value - from_deg, 360);
     const double wanted = *words.is_clockwise ? -1 : 1;
     if (!angle->is_step && sweep_deg * wanted < 0) sweep_deg += 360 * wanted;
-    constexpr double kLeast_deg = 0.006;  // ends that nearly meet: a full circle, or none
+    constexpr double kMinAngle_deg = 0.006;  // ends that nearly meet: a full circle, or none
     const bool is_doubtful =
-        std::abs(sweep_deg) < kLeast_deg || (!angle->is_step && std::abs(sweep_deg) > 360 - kLeast_deg);
+        std::abs(sweep_deg) < kMinAngle_deg || (!angle->is_step && std::abs(sweep_deg) > 360 - kMinAngle_deg);
     if (sweep_deg * wanted < 0) to.open = "the signs of IPA and DR of CP differ";
     if (is_doubtful) to.open = "the ends of CP nearly meet";
   }

@@ -4,16 +4,16 @@
 #include <array>
 
 #include "lib/base/number_text.h"
+#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
 
 char capital_of(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-bool is_block_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Removes the number of a block: digits before a blank, or alone.
 void remove_block_number(std::string_view& line) {
-  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(line, is_block_digit) - line.begin());
+  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(line, is_klartext_digit) - line.begin());
   if (digits == 0) return;
   if (digits < line.size() && line[digits] != ' ' && line[digits] != '\t' && line[digits] != '/') return;
   line = trim_blanks(line.substr(digits));
@@ -30,9 +30,9 @@ bool may_begin_block(std::string capitals) {
   if (text.empty()) return false;
   const char first = text[0];
   const char second = text.size() > 1 ? text[1] : ' ';
-  const bool is_function = first == 'M' && is_block_digit(second);
-  const bool is_parameter = first == 'Q' && (is_block_digit(second) || second == 'L' || second == 'R');
-  if (is_block_digit(first) || is_function || is_parameter || first == '/') return true;
+  const bool is_function = first == 'M' && is_klartext_digit(second);
+  const bool is_parameter = first == 'Q' && (is_klartext_digit(second) || second == 'L' || second == 'R');
+  if (is_klartext_digit(first) || is_function || is_parameter || first == '/') return true;
   return std::ranges::any_of(kKeywords, [&](std::string_view one) { return take_keywords(text, one); });
 }
 
@@ -115,7 +115,7 @@ bool take_keywords(std::string_view& text, std::string_view keywords) {
     if (!rest.starts_with(keywords.substr(0, length))) return false;
     rest.remove_prefix(length);
     const auto is_of_word = [](char c, char last) {
-      return (c >= 'A' && c <= 'Z') || (is_block_digit(c) && is_block_digit(last));
+      return (c >= 'A' && c <= 'Z') || (is_klartext_digit(c) && is_klartext_digit(last));
     };
     const bool goes_on = !rest.empty() && is_of_word(rest[0], keywords[length - 1]);
     if (goes_on) return false;

@@ -4,6 +4,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/gcode/heidenhain/klartext_runner.h"
+#include "postproc/gcode/heidenhain/klartext_text.h"
 
 // Cycles: those that act where they are defined, and drilling as the motions that the control makes.
 
@@ -12,8 +13,6 @@ namespace {
 
 constexpr int kDatumShift = 7, kMirror = 8, kDwell = 9, kRotation = 10, kScale = 11, kOrientation = 13,
               kWorkingPlane = 19, kTolerance = 32, kPreset = 247;
-
-bool is_digit_of_cycle(char c) { return c >= '0' && c <= '9'; }
 
 /// Returns whether a text may be the title of a cycle, in any language: letters and marks, no digits.
 bool is_title(std::string_view text) {
@@ -24,10 +23,10 @@ bool is_title(std::string_view text) {
 }
 
 std::optional<int> take_integer(std::string_view& text) {
-  const auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit_of_cycle) - text.begin());
+  const auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_klartext_digit) - text.begin());
   const auto number = parse_integer(text.substr(0, length));
-  constexpr long long kMost = 100'000;
-  if (!number || *number > kMost) return std::nullopt;
+  constexpr long long kMax = 100'000;
+  if (!number || *number > kMax) return std::nullopt;
   text.remove_prefix(length);
   return static_cast<int>(*number);
 }
@@ -172,7 +171,7 @@ void KlartextRunner::define_parameters(int cycle, std::string_view text) {
   if (row == nullptr && cycle != kPreset) return lose_rest(name + " is a cycle that is not read");
   // The title stands before the first parameter.
   std::size_t begin = text.find('Q');
-  while (begin != std::string_view::npos && (begin + 1 >= text.size() || !is_digit_of_cycle(text[begin + 1])))
+  while (begin != std::string_view::npos && (begin + 1 >= text.size() || !is_klartext_digit(text[begin + 1])))
     begin = text.find('Q', begin + 1);
   if (begin == std::string_view::npos) return lose_rest(name + " has no parameters");
   if (!is_title(text.substr(0, begin))) return lose_rest(name + " has a title that is not understood");

@@ -6,6 +6,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/stage.h"
+#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
@@ -26,7 +27,7 @@ std::string take_label(std::string_view& text) {
     return name;
   }
   std::size_t length = 0;
-  while (length < text.size() && text[length] >= '0' && text[length] <= '9') ++length;
+  while (length < text.size() && is_klartext_digit(text[length])) ++length;
   const auto number = parse_integer(text.substr(0, length));
   if (!number) return {};
   text = trim_blanks(text.substr(length));
@@ -35,8 +36,7 @@ std::string take_label(std::string_view& text) {
 
 /// Returns whether a line certainly is a straight line and a whole block: most lines are, and need not be read to know it.
 bool is_plain_line(std::string_view line) {
-  while (!line.empty() && (line[0] == ' ' || line[0] == '\t' || (line[0] >= '0' && line[0] <= '9')))
-    line.remove_prefix(1);
+  while (!line.empty() && (line[0] == ' ' || line[0] == '\t' || is_klartext_digit(line[0]))) line.remove_prefix(1);
   return line.starts_with("L ") && !line.ends_with('~');
 }
 

@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "lib/base/number_text.h"
+#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
 
 bool is_name_letter(char c) { return (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_value_digit(char c) { return (c >= '0' && c <= '9') || c == '.'; }
+bool is_value_digit(char c) { return is_klartext_digit(c) || c == '.'; }
 
 class WordReader {
  public:
@@ -119,8 +120,8 @@ std::string word_text(const KlartextWord& word) {
 }
 
 std::optional<int> whole_number(const KlartextWord& word) {
-  constexpr double kMost = 1e9;
-  if (word.kind != KlartextWord::Kind::number || !(std::abs(word.value) < kMost)) return std::nullopt;
+  constexpr double kMax = 1e9;
+  if (word.kind != KlartextWord::Kind::number || !(std::abs(word.value) < kMax)) return std::nullopt;
   const double nearest = std::round(word.value);
   if (std::abs(nearest - word.value) > 0) return std::nullopt;
   return static_cast<int>(nearest);

@@ -10,7 +10,7 @@ namespace gouge {
 namespace {
 
 constexpr std::string_view kBegin = "BEGIN TOOL", kExtension = ".T", kEnd = "[END]";
-constexpr int kLastTool = 32'767;  // input range of T
+constexpr int kMaxTool = 32'767;  // input range of T
 
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
@@ -45,7 +45,6 @@ Column find_column(std::string_view heading, std::string_view name) {
 /// Returns the value of a cell; 0 where it is empty. None: it is no number.
 std::optional<double> cell_value(std::string_view cell) {
   if (cell.empty()) return 0;
-  if (cell.starts_with('+')) cell.remove_prefix(1);
   return parse_number(cell);
 }
 
@@ -88,7 +87,7 @@ class TableReader {
     if (is_index || length.empty()) return {};  // a further length of a tool, or a place without one
     const auto tool = parse_integer(number);
     const auto stated = cell_value(length), delta = cell_value(delta_.of(row));
-    if (!tool || *tool < 0 || *tool > kLastTool || !stated || !delta)
+    if (!tool || *tool < 0 || *tool > kMaxTool || !stated || !delta)
       return "'" + std::string(row.substr(0, 40)) + "' is no row of the table";
     const bool is_first = lengths_.emplace(static_cast<int>(*tool), (*stated + *delta) * mm_).second;
     return is_first ? "" : "tool " + std::to_string(*tool) + " occurs twice; expected each tool once";
