@@ -199,6 +199,7 @@ void KlartextRunner::call_tool(std::string_view text) {
   loaded.line = line_;
   if (motion_.tip_control() == TipControl::on) motion_.set_tip_control(TipControl::unknown);
   motion_.change_tool(loaded);
+  motion_.apply_length(std::nullopt);  // TOOL CALL applies the length of its tool
   tangent_.reset();
   settle_length();
 }
