@@ -16,6 +16,7 @@ namespace gouge::klartext {
 
 inline ReadOutcome outcome_of(const std::string& program, GcodeOptions options = {}) {
   options.setup.control = "heidenhain";
+  options.setup.are_joint_rapids_straight = true;
   return read_gcode("test.h", program, options, {});
 }
 
