@@ -47,7 +47,8 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
   if (!arguments.stated.machine.empty()) {
     const Result<Machine> machine = load_machine(arguments.stated, max_bytes, bytes);
     if (!machine) return fail(err, {machine.error()});
-    options->program = with_machine(options->program, *machine, arguments.stated, std::nullopt, std::nullopt);
+    options->program =
+        with_machine(options->program, *machine, arguments.stated, std::nullopt, std::nullopt, std::nullopt);
   }
   std::vector<Toolpath> paths;
   for (const std::string& file : {arguments.before, arguments.after}) {

@@ -53,7 +53,7 @@ Path Path::read_program(const std::string& file, const ProgramOptions& options) 
   if (!stated.machine.empty()) {
     std::string bytes;
     const gouge::Machine machine = value_or_raise(gouge::load_machine(stated, gouge::kMaxInputBytes, bytes));
-    setup = gouge::with_machine(setup, machine, stated, std::nullopt, std::nullopt);
+    setup = gouge::with_machine(setup, machine, stated, std::nullopt, std::nullopt, std::nullopt);
   }
   reading.program = gouge::with_files_beside(setup, file, gouge::kMaxInputBytes, {});
   const Path path = PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), reading);

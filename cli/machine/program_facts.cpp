@@ -6,6 +6,7 @@
 
 #include "cli/values/parse_lengths.h"
 #include "lib/base/number_text.h"
+#include "postproc/gcode/heidenhain/tool_table.h"
 
 namespace gouge {
 namespace {
@@ -30,7 +31,7 @@ std::optional<std::pair<std::string, WorkOffset>> parse_offset(const std::string
   const std::size_t equal = text.find('=');
   if (equal == std::string::npos || equal == 0) return std::nullopt;
   const std::string name = in_capitals(text.substr(0, equal));
-  if (name[0] != 'G') return std::nullopt;
+  if (name[0] != 'G' && !name.starts_with("PRESET")) return std::nullopt;
   const std::vector<std::string> parts = split_text(text.substr(equal + 1), ',');
   if (parts.size() != 3 && parts.size() != 6) return std::nullopt;
   WorkOffset offset;
@@ -121,6 +122,7 @@ Result<ProgramSetup> understand_program(const StatedProgram& stated, const Progr
 }
 
 Result<std::map<int, double>> parse_tool_lengths(const std::string& file, std::string_view text) {
+  if (is_heidenhain_tool_table(text)) return read_heidenhain_tool_table(file, text);
   std::map<int, double> lengths;
   std::optional<bool> is_csv;
   std::size_t number = 0;

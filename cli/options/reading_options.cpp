@@ -76,14 +76,15 @@ const OptionRows<ReadingArguments>& reading_options() {
        .field = &A::offsets,
        .type = "NAME=X,Y,Z",
        .help =
-           "Zero of a work offset in machine coordinates, G54=x,y,z[,a,b,c]: lengths in mm or with a unit, then degrees "
-           "(repeatable)",
+           "Zero of a work offset in machine coordinates, G54=x,y,z[,a,b,c]: lengths in mm or with a unit, then degrees; "
+           "PRESET or PRESET1 for presets of Heidenhain (repeatable)",
        .scope = Scope::project,
        .recorded = Recorded::repeated},
       {.name = "--tool-lengths",
        .field = &A::tool_lengths,
        .type = "FILE",
-       .help = "Lengths of tools: CSV with the columns tool and length (mm), or a tool table of LinuxCNC (.tbl, mm)",
+       .help = "Lengths of tools: CSV with the columns tool and length (mm), or a tool table of LinuxCNC (.tbl, mm) or "
+               "Heidenhain (TOOL.T)",
        .scope = Scope::project,
        .recorded = Recorded::repeated},
       {.name = "--start",

@@ -76,6 +76,34 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   return fact;
 }
 
+/// Returns the largest coordinate of all meshes and of the stock along a direction.
+double top_along(const Vec3& axis, const CheckSetup& setup) {
+  Box3 all;
+  for (const auto* meshes : {&setup.scene.scene->parts, &setup.scene.scene->fixtures}) all.extend(box_of(*meshes));
+  if (setup.stock != nullptr) all.extend(Box3(setup.stock->solid.low(), setup.stock->solid.high()));
+  double top = 0;
+  for (int k = 0; k < 3; ++k) top += std::max(axis[k] * all.min()[k], axis[k] * all.max()[k]);
+  return top;
+}
+
+/// A rapid from a place that is not known is clear only above everything.
+void settle_approaches(const Toolpath& path, const CheckSetup& setup, Assumptions& facts) {
+  const auto fact = std::ranges::find(facts, Subject::completeness, &Assumption::subject);
+  if (fact == facts.end()) return;
+  for (const ApproachHeight& approach : path.approaches) {
+    const double top = top_along(approach.axis, setup);
+    if (approach.height_mm > top) continue;
+    fact->basis = Basis::unknown;
+    fact->code = "gcode-approach";
+    fact->line = approach.line;
+    fact->evidence = "in line " + std::to_string(approach.line) + " the tool is at height " +
+                     display_text(approach.height_mm, 4) + " mm, below the top of " + display_text(top, 4) +
+                     " mm, and where it comes from is not known";
+    fact->remedy = "state the place of the tool with --start, or that nothing is in its way with --assume complete";
+    return;
+  }
+}
+
 std::size_t count_turns(const Toolpath& path) {
   std::size_t turns = 0;
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
@@ -135,6 +163,7 @@ void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result) 
   result.closest_approach = measure_closest_approach(path, setup.tools, setup.scene, result.verdicts, threads);
   result.fit = find_path_fit(path, result.verdicts, setup.tools, setup.scene, threads);
   Assumptions facts = path.assumptions;
+  settle_approaches(path, setup, facts);
   facts.push_back(motion_law_fact(path, setup.options.law, setup.basis.law_evidence));
   facts.insert(facts.end(), setup.basis.inputs.begin(), setup.basis.inputs.end());
   if (!setup.scene.workpiece().meshes.empty()) {

@@ -78,7 +78,7 @@ class ChainRun : public AxisPath, public TipPath {
       if (runs_[k].arrival < 1) kinks_.push_back(runs_[k].arrival);
     }
     std::ranges::sort(kinks_);
-    kinks_.erase(std::ranges::unique(kinks_).begin(), kinks_.end());
+    kinks_.erase(std::unique(kinks_.begin(), kinks_.end()), kinks_.end());
     is_tip_even_ = !turns && kinks_.empty();
     const Joint &first = machine_->joints[machine_->rotary[0]], &second = machine_->joints[machine_->rotary[1]];
     cosine_ = std::abs(first.direction.dot(second.direction));

@@ -59,13 +59,13 @@ bool runs_joints(TurnLaw law) { return law == TurnLaw::joint || law == TurnLaw::
 std::vector<MissingFact> missing_facts(const Machine& machine, TurnLaw law, bool has_tool_length) {
   std::vector<MissingFact> missing;
   if (!runs_joints(law)) return missing;
-  using Kind = MissingFact::Kind;
+  using Fact = MissingFact::Kind;
   for (const std::size_t k : machine.rotary)
-    if (!machine.joints[k].has_point) missing.push_back({Kind::point, k});
-  if (has_rotary_head(machine) && !has_tool_length) missing.push_back({Kind::tool_length, 0});
+    if (!machine.joints[k].has_point) missing.push_back({Fact::point, k});
+  if (has_rotary_head(machine) && !has_tool_length) missing.push_back({Fact::tool_length, 0});
   if (law != TurnLaw::independent) return missing;
   for (std::size_t k = 0; k < machine.joints.size(); ++k)
-    if (!machine.joints[k].rate) missing.push_back({Kind::rate, k});
+    if (!machine.joints[k].rate) missing.push_back({Fact::rate, k});
   return missing;
 }
 

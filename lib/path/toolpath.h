@@ -130,6 +130,14 @@ struct MoveOrigins {
   virtual ~MoveOrigins() = default;
 };
 
+/// A rapid to a height from a place that is not known, and at that height to one that is known: all points of the tool are
+/// at least `height_mm` along `axis`, in part coordinates.
+struct ApproachHeight {
+  std::size_t line = 0;
+  Vec3 axis = Vec3::UnitZ();  ///< unit, the tool axis
+  double height_mm = 0;
+};
+
 struct Toolpath {
   std::string file;     ///< as the user named it
   std::string dialect;  ///< "apt", "nx-clsf", "apt-autodesk", ...: docs/formats/apt_cl.md
@@ -139,6 +147,7 @@ struct Toolpath {
   PagedVector<SourceStatement> statements;
   std::vector<PathTool> tools;
   std::vector<Operation> operations;
+  std::vector<ApproachHeight> approaches;  ///< rapids that are no moves; they must be above all that is checked
   Moves moves;
   PagedVector<PathArc> arcs;        ///< of moves with curve_kind arc
   std::vector<PathSpline> splines;  ///< of moves with curve_kind spline

@@ -311,6 +311,7 @@ BlockRunner::Target BlockRunner::target() {
     const char letter = "XYZ"[i];
     if (!words_.is_axis(letter)) continue;
     const double value = length(letter);
+    if (!is_absolute && !is_known(to.place.xyz[i])) motion_.note_unknown_step();
     to.place.xyz[i] = is_absolute ? value : to.place.xyz[i] + value;
     if (!modes_.is_absolute) to.place.xyz[i] = kUnknownValue;
   }

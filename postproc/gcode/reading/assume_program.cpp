@@ -33,7 +33,7 @@ Assumption control_of_program(std::string_view control, const ProgramSetup& setu
   return fact;
 }
 
-Assumption end_of_program(const ProgramFacts& facts) {
+Assumption end_of_program(const ProgramFacts& facts, const Tally& approach) {
   Assumption fact{.subject = Subject::completeness, .value = "whole program", .code = "path-cut-short"};
   fact.remedy = "save it again, or state that it is whole with --assume complete";
   if (facts.end_line > 0) {
@@ -43,6 +43,13 @@ Assumption end_of_program(const ProgramFacts& facts) {
   } else {
     fact.basis = Basis::unknown;
     fact.evidence = "the program does not have its end, such as M30";
+  }
+  if (fact.basis == Basis::derived && approach.count > 0) {
+    fact.basis = Basis::by_default;
+    fact.value = "whole program without " + count_text(approach.count, "rapid") + " of its approach";
+    fact.evidence = "nothing is swept before the tool has a height, at the start and after tool changes";
+    fact.line = approach.first_line;
+    fact.remedy = "state the place of the tool with --start, or that nothing is in its way with --assume complete";
   }
   return fact;
 }
@@ -85,7 +92,8 @@ Assumption frame_of_program(const ProgramSetup& setup, const ProgramMotion& moti
 Assumptions assume_program(const Toolpath& path, std::string_view control, const GcodeOptions& options,
                            const ProgramMotion& motion, const ProgramFacts& facts) {
   Assumptions all = {unit_of_program(path, options, facts), control_of_program(control, options.setup),
-                     end_of_program(facts), words_of_program(path), frame_of_program(options.setup, motion, facts)};
+                     end_of_program(facts, motion.approach()), words_of_program(path),
+                     frame_of_program(options.setup, motion, facts)};
   for (Assumption& fact : all) fact.file = path.file;
   return all;
 }

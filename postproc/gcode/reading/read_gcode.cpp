@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/gcode/heidenhain/read_heidenhain.h"
 #include "postproc/gcode/iso/read_iso.h"
 #include "postproc/gcode/language/control_tables.h"
 #include "postproc/gcode/reading/assume_program.h"
@@ -21,13 +22,17 @@ bool is_forbidden(char c) {
   return (byte < 0x20 && c != '\n' && c != '\t' && c != '\r') || byte == 0x7f;
 }
 
-/// Returns why the bytes are no text of blocks: a control character, or a carriage return within a line.
-std::optional<Diagnostic> find_wrong_byte(const std::string& file, std::string_view bytes) {
+/// Returns why the bytes are no text of blocks: a control character, or a carriage return within a line, but for the
+/// comments of some languages.
+std::optional<Diagnostic> find_wrong_byte(const std::string& file, std::string_view bytes, bool may_return_in_comment) {
   std::size_t line = 1;
+  bool is_comment = false;
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     const char c = bytes[at];
     if (c == '\n') ++line;
-    const bool is_alone = c == '\r' && at + 1 < bytes.size() && bytes[at + 1] != '\n' && bytes[at + 1] != '\r';
+    is_comment = c != '\n' && (is_comment || c == ';');
+    const bool is_alone = c == '\r' && !(may_return_in_comment && is_comment) && at + 1 < bytes.size() &&
+                          bytes[at + 1] != '\n' && bytes[at + 1] != '\r';
     if (!is_forbidden(c) && !is_alone) continue;
     return make_error("path-binary",
                       "byte " + std::to_string(static_cast<unsigned char>(c)) +
@@ -42,7 +47,7 @@ std::optional<Diagnostic> find_unreadable_program(const std::string& file, std::
   if (bytes.size() > kLongestProgram)
     return make_error("path-too-long",
                       "the file has " + std::to_string(bytes.size()) + " bytes; expected fewer than 4 GiB", file);
-  return find_wrong_byte(file, bytes);
+  return std::nullopt;
 }
 
 Result<const ProgramLanguage*> language_of(const GcodeOptions& options, const std::string& file) {
@@ -77,12 +82,13 @@ bool has_checked_move(const Toolpath& path) {
 }  // namespace
 
 std::span<const ProgramLanguage> all_languages() {
-  static const std::array<ProgramLanguage, 4> languages = {{
+  static const std::array<ProgramLanguage, 5> languages = {{
       {linuxcnc_table().id, linuxcnc_table().title,
        [](const ProgramInput& input) { return run_iso(linuxcnc_table(), input); }},
       {haas_table().id, haas_table().title, [](const ProgramInput& input) { return run_iso(haas_table(), input); }},
       {fanuc_table().id, fanuc_table().title, [](const ProgramInput& input) { return run_iso(fanuc_table(), input); }},
       {"siemens", "Siemens 840D", run_siemens},
+      {"heidenhain", "Heidenhain Klartext", run_heidenhain, true},
   }};
   return languages;
 }
@@ -93,7 +99,9 @@ std::string language_names() {
   return listed(names, " or ");
 }
 
-bool is_gcode(std::string_view bytes) { return is_iso_program(bytes) || is_siemens_program(bytes); }
+bool is_gcode(std::string_view bytes) {
+  return is_heidenhain_program(bytes) || is_iso_program(bytes) || is_siemens_program(bytes);
+}
 
 ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& options,
                        const ProgressCall& progress) {
@@ -101,6 +109,8 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   if (auto error = find_unreadable_program(file_name, bytes)) return {std::nullopt, {std::move(*error)}};
   const Result<const ProgramLanguage*> language = language_of(options, file_name);
   if (!language) return {std::nullopt, {language.error()}};
+  if (auto error = find_wrong_byte(file_name, bytes, (*language)->may_return_in_comment))
+    return {std::nullopt, {std::move(*error)}};
   if (options.setup.machine) {
     if (const std::string unfit = describe_unfit(*options.setup.machine); !unfit.empty())
       return {std::nullopt, {make_error("gcode-machine", unfit, file_name)}};

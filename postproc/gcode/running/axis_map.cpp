@@ -100,7 +100,12 @@ AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) cons
     const Vec3 along = state.tip_control == TipControl::on ? map.axis : Vec3(map.linear.col(2));
     map.origin += state.excess_length_mm * along;
   }
-  if (!state.open_length.empty()) map.open = state.open_length;
+  if (!state.open_length.empty()) {
+    map.is_open_along_z =
+        map.open.empty() && !state.plane && !state.frame &&
+        (machine_ == nullptr || (state.tip_control == TipControl::off && !has_rotary_head(*machine_)));
+    map.open = state.open_length;
+  }
   if (state.plane && !state.is_aligned) {
     map.open = "a tilted frame is in force, and the tool is not aligned with it";
     return map;

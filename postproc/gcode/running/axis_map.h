@@ -46,8 +46,9 @@ struct AxisFrame {
 struct AxisMap {
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
   Vec3 origin = Vec3::Zero();
-  Vec3 axis = Vec3::UnitZ();  ///< tool axis
-  std::string open;           ///< why the map is not known; empty: it is
+  Vec3 axis = Vec3::UnitZ();     ///< tool axis
+  std::string open;              ///< why the map is not known; empty: it is
+  bool is_open_along_z = false;  ///< only the length is not known, which moves the tip along Z
 
   [[nodiscard]] Vec3 tip(const Vec3& xyz) const { return linear * xyz + origin; }
   [[nodiscard]] Vec3 coordinates(const Vec3& tip_mm) const {

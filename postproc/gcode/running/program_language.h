@@ -46,6 +46,8 @@ struct ProgramLanguage {
   std::string_view title;  ///< name in messages
   /// Runs a program to its end, or until nothing after it is known (ProgramDoubt::rest).
   ProgramFacts (*run)(const ProgramInput& input);
+  /// A comment may hold a carriage return within its line; `run` decides on the text behind it.
+  bool may_return_in_comment = false;
 };
 
 /// Adds a warning (gcode-word) and a move that is not checked, and ends the knowledge of all that follows.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
@@ -36,15 +37,6 @@ std::optional<double> arc_scale(const Eigen::Matrix3d& linear) {
   return linear.determinant() < 0 ? -scale : scale;
 }
 
-/// Returns linear * x, where a row that does not depend on an unknown coordinate stays known.
-Vec3 apply_known(const Eigen::Matrix3d& linear, const Vec3& x) {
-  Vec3 y = Vec3::Zero();
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (std::abs(linear(i, j)) > 0) y[i] += linear(i, j) * x[j];
-  return y;
-}
-
 }  // namespace
 
 ProgramMotion::ProgramMotion(PathBuilder& builder, const ProgramSetup& setup)
@@ -70,230 +62,6 @@ const AxisMap& ProgramMotion::map_at(const AxisPlace& place) {
   return map_at(place.axis ? RotaryAngles{0, 0} : place.angles);
 }
 
-// The machine stands while a frame or a length changes: the tip keeps its place, and the coordinates become others.
-template <typename Change>
-void ProgramMotion::change_state(const Change& change) {
-  const AxisMap before = map_at(place_);
-  const std::string& offset_doubt = doubts_[static_cast<std::size_t>(ProgramDoubt::offset)];
-  const bool is_doubtful = !before.open.empty() || !offset_doubt.empty();
-  change();
-  is_map_current_ = false;
-  const AxisMap& after = map_at(place_);
-  Vec3& xyz = place_.xyz;
-  const bool is_known_now = !is_doubtful && after.open.empty() && offset_doubt.empty();
-  const bool is_same_map = before.linear == after.linear && before.origin == after.origin;
-  if (is_known_now && is_same_map) return;
-  if (is_known_now && is_complete(xyz)) {
-    xyz = after.coordinates(before.tip(xyz));
-  } else if (is_known_now && (after.linear - before.linear).cwiseAbs().maxCoeff() <= Tolerance::kExactDirection) {
-    xyz += after.linear.partialPivLu().solve(Vec3(before.origin - after.origin));  // each coordinate apart
-  } else {
-    xyz.setConstant(AxisPlace::kUnknownCoordinate);
-    chain_.lose_last_pose(lasting_text("the place of the tool is not known when the frame or the length changes"));
-  }
-}
-
-void ProgramMotion::doubt(ProgramDoubt kind, std::string reason) {
-  std::string& own = doubts_.at(static_cast<std::size_t>(kind));
-  if (kind != ProgramDoubt::rest || own.empty()) own = std::move(reason);
-}
-
-void ProgramMotion::end_doubt(ProgramDoubt kind) {
-  std::string& own = doubts_.at(static_cast<std::size_t>(kind));
-  if (own.empty()) return;
-  own.clear();
-  // Frames and compensation that end leave the tool at a place that they alone knew.
-  if (kind == ProgramDoubt::frame || kind == ProgramDoubt::compensation)
-    place_.xyz.setConstant(AxisPlace::kUnknownCoordinate);
-  chain_.lose_last_pose(lasting_text("the place at which the motion begins is not known"));
-}
-
-void ProgramMotion::choose_offset(const std::string& name) {
-  if (name == offset_name_) return;
-  if (part_offset_.empty()) part_offset_ = name;
-  const auto found = setup_.offsets.find(name), of_part = setup_.offsets.find(part_offset_);
-  const bool is_given = found != setup_.offsets.end();
-  const auto shift_of = [&](const WorkOffset& offset) {
-    // Without a part zero, the part is at the offset that the program chooses first.
-    return Vec3(setup_.zero || of_part == setup_.offsets.end() ? offset.xyz_mm
-                                                               : offset.xyz_mm - of_part->second.xyz_mm);
-  };
-  const bool is_part_known = setup_.zero || of_part != setup_.offsets.end();
-  const bool is_open = name != part_offset_ && (!is_given || !is_part_known);
-  change_state([&] {
-    offset_name_ = name;
-    state_.shift_mm = is_given ? shift_of(found->second) : setup_.zero ? setup_.zero->shift : Vec3(Vec3::Zero());
-    if (is_open)
-      doubt(ProgramDoubt::offset, "the program changes from work offset " + part_offset_ + " to " + name +
-                                      ", whose places are not given; expected --offset " + part_offset_ +
-                                      "=X,Y,Z and --offset " + name + "=X,Y,Z");
-    else
-      end_doubt(ProgramDoubt::offset);
-  });
-  RotaryAngles shift{};
-  for (const char letter : {'A', 'B', 'C'}) {
-    const auto k = mapper_.rotary_of(letter);
-    if (k && is_given) shift.at(*k) = found->second.abc_deg[letter - 'A'] * kDegree_rad;
-  }
-  angle_shift_ = shift;
-}
-
-double ProgramMotion::angle_from_program(std::size_t rotary, double degrees) const {
-  return degrees * kDegree_rad + angle_shift_.at(rotary);
-}
-
-Vec3 ProgramMotion::from_machine(const Vec3& machine_mm) const {
-  const auto found = setup_.offsets.find(offset_name_);
-  const bool is_shifted = state_.plane || !doubts_[static_cast<std::size_t>(ProgramDoubt::offset)].empty() ||
-                          (state_.tip_control != TipControl::off && mapper_.has_machine());
-  if (is_shifted) return Vec3::Constant(AxisPlace::kUnknownCoordinate);
-  const bool is_given = found != setup_.offsets.end();
-  if (!is_given && !setup_.zero) return Vec3::Constant(AxisPlace::kUnknownCoordinate);
-  Vec3 xyz = machine_mm - (is_given ? found->second.xyz_mm : setup_.zero->shift);
-  if (length_ == Length::applied)
-    xyz.z() -= length_of(length_number_ ? length_number_ : tool_number()).value_or(AxisPlace::kUnknownCoordinate);
-  return xyz;
-}
-
-bool ProgramMotion::is_offset_given() const { return setup_.offsets.contains(offset_name_) || setup_.zero.has_value(); }
-
-Vec3 ProgramMotion::from_machine_axes(const Vec3& axes_mm) const {
-  const bool is_of_joints = state_.tip_control == TipControl::off || !mapper_.has_machine();
-  const bool is_open = state_.plane || !is_of_joints || !is_offset_given() ||
-                       !doubts_[static_cast<std::size_t>(ProgramDoubt::offset)].empty() ||
-                       !doubts_[static_cast<std::size_t>(ProgramDoubt::frame)].empty();
-  if (is_open) return Vec3::Constant(AxisPlace::kUnknownCoordinate);
-  const auto found = setup_.offsets.find(offset_name_);
-  const ProgramFrame frame = state_.frame.value_or(ProgramFrame{});
-  const Vec3 origin = frame.shift + (found != setup_.offsets.end() ? found->second.xyz_mm : setup_.zero->shift);
-  // The axes at which the tool stands now, as far as they are known.
-  Vec3 axes = apply_known(frame.linear, place_.xyz) + origin;
-  for (int i = 0; i < 3; ++i)
-    if (is_known(axes_mm[i])) axes[i] = axes_mm[i];
-  return apply_known(frame.linear.inverse(), Vec3(axes - origin));
-}
-
-std::optional<Vec3> ProgramMotion::direction_in_part(const Vec3& direction) {
-  const AxisMap& map = map_at(RotaryAngles{0, 0});
-  const auto scale = arc_scale(map.linear);
-  if (!map.open.empty() || !scale || *scale < 0 || !(direction.norm() > 0)) return std::nullopt;
-  return Vec3(map.linear * direction).normalized();
-}
-
-std::optional<int> ProgramMotion::tool_number() const {
-  return tool_ == kNone ? std::nullopt : builder_.path.tools[tool_].number;
-}
-
-std::optional<double> ProgramMotion::length_of(std::optional<int> number) const {
-  if (number) {
-    const auto found = setup_.lengths_mm.find(*number);
-    if (found != setup_.lengths_mm.end()) return found->second;
-  }
-  return setup_.tool_length_mm;
-}
-
-void ProgramMotion::set_tip_control(TipControl control) {
-  if (state_.tip_control == control) return;
-  change_state([&] {
-    state_.tip_control = control;
-    place_.axis.reset();  // the angles that it stands for are not known
-  });
-}
-
-void ProgramMotion::set_plane(const std::optional<RigidTransform>& plane) {
-  if (!plane && !state_.plane) return;
-  change_state([&] {
-    state_.plane = plane;
-    state_.is_aligned = false;
-  });
-}
-
-void ProgramMotion::set_frame(const std::optional<ProgramFrame>& frame) {
-  if (!frame && !state_.frame) return;
-  change_state([&] { state_.frame = frame; });
-}
-
-void ProgramMotion::align_to_plane() {
-  if (!state_.plane) return doubt(ProgramDoubt::rest, "the tool is aligned with a tilted frame that is not set");
-  AxisPlace to;
-  go_unchecked(MoveKind::rapid, to, "the motion that aligns the tool with the tilted frame is not known");
-  state_.is_aligned = true;
-  is_map_current_ = false;
-}
-
-// Finds the length that the control applies, and the true one. Where they are equal, neither need be known on a machine
-// whose head does not turn: the program states the tip.
-void ProgramMotion::settle_length() {
-  const std::optional<int> tool = tool_number();
-  const std::optional<double> true_length = length_of(tool);
-  const bool is_named = tool_ != kNone && !builder_.path.tools[tool_].name.empty();
-  const std::string name = tool       ? "T" + std::to_string(*tool)
-                           : is_named ? "tool " + builder_.path.tools[tool_].name
-                                      : "the tool";
-  state_.tool_length_mm = true_length.value_or(0);
-  state_.excess_length_mm = 0;
-  state_.open_length.clear();
-  if (length_ == Length::none) {
-    if (!has_lengths_) {
-      if (tools_loaded_ > 1) state_.open_length = "the program changes the tool and applies no length; expected G43";
-    } else if (true_length) {
-      state_.excess_length_mm = -*true_length;
-    } else {
-      state_.open_length =
-          "no tool length is applied, and that of " + name + " is not given; expected --tool-lengths or --tool-length";
-    }
-    return;
-  }
-  const bool needs_length = setup_.machine != nullptr && has_rotary_head(*setup_.machine);
-  if (needs_length && !true_length && state_.tip_control == TipControl::off)
-    state_.open_length = "the length of " + name + " is not given; expected --tool-lengths or --tool-length";
-  // A tool change does not apply the length of the new tool.
-  const std::optional<int> applied = length_number_;
-  if (!applied && length_tool_ != tool_)
-    state_.open_length = "the length that is applied is that of another tool; expected G43 after the tool change";
-  if (!applied || applied == tool || !tool) return;
-  const auto other = setup_.lengths_mm.find(*applied), own = setup_.lengths_mm.find(*tool);
-  if (other == setup_.lengths_mm.end() || own == setup_.lengths_mm.end())
-    state_.open_length = "H" + std::to_string(*applied) + " is applied to " + name +
-                         ", and their lengths are not given; expected --tool-lengths";
-  else
-    state_.excess_length_mm = other->second - own->second;
-}
-
-void ProgramMotion::change_tool(const PathTool& tool) {
-  const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
-  if (tool_ == kNone || !is_same(builder_.path.tools[tool_])) ++tools_loaded_;
-  const auto same = std::ranges::find_if(builder_.path.tools, is_same);
-  tool_ = static_cast<std::size_t>(same - builder_.path.tools.begin());
-  if (same == builder_.path.tools.end()) builder_.path.tools.push_back(tool);
-  chain_.break_off();
-  chain_.note_loading();
-  place_.xyz.setConstant(AxisPlace::kUnknownCoordinate);
-  settle_length();
-  is_map_current_ = false;
-}
-
-void ProgramMotion::apply_length(std::optional<int> h) {
-  if (!has_lengths_ && chain_.last_pose())
-    doubt(ProgramDoubt::rest, "a tool length is applied in a program that is called, and positions before it had none");
-  has_lengths_ = true;
-  if (h && *h == 0) return cancel_length();
-  change_state([&] {
-    length_ = Length::applied;
-    length_number_ = h ? h : tool_number();
-    length_tool_ = tool_;
-    settle_length();
-  });
-}
-
-void ProgramMotion::cancel_length() {
-  change_state([&] {
-    length_ = Length::none;
-    length_number_.reset();
-    settle_length();
-  });
-}
-
 const std::string* ProgramMotion::first_doubt() const {
   for (const std::string& one : doubts_)
     if (!one.empty()) return &one;
@@ -303,7 +71,11 @@ const std::string* ProgramMotion::first_doubt() const {
 ProgramMotion::Reached ProgramMotion::reached(const AxisPlace& to) {
   const AxisMap& map = map_at(to);
   if (!map.open.empty()) return {{}, map.open};
-  if (!is_complete(to.xyz)) return {{}, "the place of the tool is not known"};
+  if (!is_complete(to.xyz))
+    return {{},
+            chain_.last_pose() ? "the place of the tool is not known"
+                               : "the place of the tool is not known at the start or after a tool change; expected X, "
+                                 "Y and Z in its first position, or the place in --start"};
   if (to.axis && std::abs(state_.excess_length_mm) > 0)
     return {{}, "the length that is applied is not that of the tool, whose axis the program states"};
   if (to.axis) return {{map.tip(to.xyz), *to.axis}, {}};
@@ -324,6 +96,9 @@ std::string ProgramMotion::why_not_motion(MoveKind kind, const AxisPlace& to, bo
   if (is_turning && state_.tip_control == TipControl::turned_offset)
     return "rotary joints turn while the work offset follows them";
   if (is_turning && state_.is_aligned) return "rotary joints turn in a tilted frame";
+  if (is_turning && turns_beyond_law(kind, to))
+    return "a rotary joint turns by half a turn or more, which the law vector leaves out; expected --feed-law or "
+           "--rapid-law axis, documented or any";
   if (is_turning && state_.tip_control == TipControl::unknown)
     return "nothing states whether tool centre point control is on";
   if (is_turning && is_arc && state_.tip_control != TipControl::on)
@@ -377,32 +152,63 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
     const double feed_mm = move_length_mm(path, path.moves.size() - 1) * *moves_per_minute_;
     if (feed_mm > 0) path.moves.back().set_feed({feed_mm, FeedUnit::per_minute});
   }
+  if (state_.is_aligned && turns(place_, to)) {
+    state_.is_aligned = false;
+    is_map_current_ = false;
+  }
+  if (is_end_known) has_unknown_step_ = false;
   place_ = to;
 }
 
-// The approach after a tool change, or at the start: no position is known yet, as before the first one of CL data.
-bool ProgramMotion::is_approach(MoveKind kind, const Reached& end) const {
-  return kind == MoveKind::rapid && !end.open.empty() && !chain_.last_pose();
+// The approach after a tool change, or at the start: no position is known yet, as before the first one of CL data. Before a
+// height is stated the tool is at that of the tool change; then the check compares the height with the parts.
+bool ProgramMotion::is_approach(MoveKind kind, const AxisPlace& to) const {
+  const bool has_axis = state_.is_aligned || to.axis || (is_known(to.angles[0]) && is_known(to.angles[1]));
+  const bool is_reached = is_complete(to.xyz) && has_axis;
+  return kind == MoveKind::rapid && !chain_.last_pose() && !has_unknown_step_ && !is_reached;
+}
+
+void ProgramMotion::note_height(const AxisPlace& to) {
+  const AxisMap& map = map_at(to);
+  constexpr double kSquare = Tolerance::kExactDirection;
+  const bool is_level =
+      std::abs(map.axis.dot(map.linear.col(0))) < kSquare && std::abs(map.axis.dot(map.linear.col(1))) < kSquare;
+  if (!is_known(to.xyz.z()) || !map.open.empty() || !is_level) return;
+  const double height = map.axis.dot(map.origin) + map.axis.dot(map.linear.col(2)) * to.xyz.z();
+  builder_.path.approaches.push_back({line_, map.axis, height});
+}
+
+/// On the great circle the tool axis takes the shorter way between its ends.
+bool ProgramMotion::turns_beyond_law(MoveKind kind, const AxisPlace& to) const {
+  if (!setup_.laws || state_.tip_control != TipControl::on) return false;
+  if ((kind == MoveKind::rapid ? setup_.laws->rapids : setup_.laws->feeds) != TurnLaw::vector) return false;
+  constexpr double kHalfTurn_rad = std::numbers::pi - Tolerance::kExactDirection;
+  const auto is_wide = [&](std::size_t k) { return std::abs(to.angles.at(k) - place_.angles.at(k)) >= kHalfTurn_rad; };
+  return is_wide(0) || is_wide(1);
 }
 
 void ProgramMotion::go_unchecked(MoveKind kind, const AxisPlace& to, const std::string& reason) {
   const std::string* const doubtful = first_doubt();
   const Reached end = doubtful != nullptr ? Reached{{}, *doubtful} : reached(to);
-  if (doubtful == nullptr && is_approach(kind, end)) return approach(to);
+  if (doubtful == nullptr && is_approach(kind, to)) return leave_out(to);
   Move move;
   move.kind = kind;
   add(move, to, end, doubtful != nullptr ? *doubtful : reason);
 }
 
-void ProgramMotion::approach(const AxisPlace& to) {
+void ProgramMotion::leave_out(const AxisPlace& to) {
   approach_.add(line_);
+  note_height(to);
   place_ = to;
 }
 
 void ProgramMotion::go(MoveKind kind, const AxisPlace& to) {
   if (first_doubt() != nullptr) return go_unchecked(kind, to, {});
   const Reached end = reached(to);
-  if (is_approach(kind, end)) return approach(to);
+  if (is_approach(kind, to)) return leave_out(to);
+  const bool comes_at_height =
+      kind == MoveKind::rapid && !chain_.last_pose() && is_known(place_.xyz.z()) && !is_complete(place_.xyz);
+  if (comes_at_height) note_height(to);
   Move move;
   move.kind = kind;
   const bool has_start = chain_.last_pose().has_value();

@@ -110,6 +110,8 @@ class ProgramMotion {
   [[nodiscard]] TipControl tip_control() const { return state_.tip_control; }
   [[nodiscard]] const AxisMapper& mapper() const { return mapper_; }
 
+  /// A block moves by steps from a place that is not known, so the height of the tool is not that of the tool change.
+  void note_unknown_step() { has_unknown_step_ = true; }
   void go(MoveKind kind, const AxisPlace& to);
   void go_round(const AxisPlace& to, const ProgramArc& arc);
   /// Moves to a place of which only some coordinates are known, with the reason. The move is not checked.
@@ -121,6 +123,8 @@ class ProgramMotion {
   [[nodiscard]] const std::string& part_offset() const { return part_offset_; }
   [[nodiscard]] bool has_lengths() const { return has_lengths_; }
   [[nodiscard]] std::size_t tools_loaded() const { return tools_loaded_; }
+  /// Rapids at the height of the start or of a tool change, of which nothing is swept.
+  [[nodiscard]] const Tally& approach() const { return approach_; }
 
  private:
   /// Where a motion ends, or why that is not known.
@@ -138,8 +142,10 @@ class ProgramMotion {
   void change_state(const Change& change);
   void settle_length();
   void add(Move& move, const AxisPlace& to, const Reached& reached, std::string reason);
-  [[nodiscard]] bool is_approach(MoveKind kind, const Reached& end) const;
-  void approach(const AxisPlace& to);
+  [[nodiscard]] bool is_approach(MoveKind kind, const AxisPlace& to) const;
+  [[nodiscard]] bool turns_beyond_law(MoveKind kind, const AxisPlace& to) const;
+  void leave_out(const AxisPlace& to);
+  void note_height(const AxisPlace& to);
   [[nodiscard]] std::optional<int> tool_number() const;
   [[nodiscard]] std::optional<double> length_of(std::optional<int> number) const;
   void store_angles(const Move& move, const AxisPlace& to);
@@ -165,7 +171,7 @@ class ProgramMotion {
   std::optional<int> length_number_;  // of H; none: of the tool
   std::size_t tools_loaded_ = 0;
   std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
-  bool are_rapids_together_ = false;
+  bool are_rapids_together_ = false, has_unknown_step_ = false;
   std::shared_ptr<JointPath> joints_;
   Tally approach_, unknown_angles_;
 };

@@ -126,6 +126,7 @@ void SiemensRunner::settle_path() {
   const bool runs_apart = rapids != nullptr && rapids->meaning == SiemensMeaning::rapid_apart;
   const bool runs_straight = rapids != nullptr && !runs_apart;
   const bool has_machine = motion_.mapper().has_machine();
+  if (runs_straight && !has_machine) motion_.run_rapids_together();
   const bool is_other = !has_machine ? runs_apart
                         : runs_apart ? setup_.are_joint_rapids_straight
                                      : runs_straight && !setup_.are_joint_rapids_straight;

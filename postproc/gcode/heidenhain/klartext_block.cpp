@@ -1,0 +1,128 @@
+#include "postproc/gcode/heidenhain/klartext_block.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lib/base/number_text.h"
+#include "postproc/gcode/heidenhain/klartext_text.h"
+
+namespace gouge {
+namespace {
+
+char capital_of(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Removes the number of a block: digits before a blank, or alone.
+void remove_block_number(std::string_view& line) {
+  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(line, is_klartext_digit) - line.begin());
+  if (digits == 0) return;
+  if (digits < line.size() && line[digits] != ' ' && line[digits] != '\t' && line[digits] != '/') return;
+  line = trim_blanks(line.substr(digits));
+}
+
+/// Returns whether text may begin a block: a number, or one of the keywords of the language.
+bool may_begin_block(std::string capitals) {
+  static constexpr std::array<std::string_view, 32> kKeywords = {
+      "APPR", "BEGIN", "BLK",   "C",   "CALL", "CC",   "CHF", "CP",   "CR",       "CT",     "CTP",
+      "CYCL", "DEP",   "END",   "FC",  "FCT",  "FL",   "FLT", "FN",   "FUNCTION", "L",      "LBL",
+      "LN",   "LP",    "PLANE", "RND", "SEL",  "STOP", "TCH", "TOOL", "TRANS",    "PATTERN"};
+  std::ranges::transform(capitals, capitals.begin(), capital_of);
+  std::string_view text = trim_blanks(capitals);
+  if (text.empty()) return false;
+  const char first = text[0];
+  const char second = text.size() > 1 ? text[1] : ' ';
+  const bool is_function = first == 'M' && is_klartext_digit(second);
+  const bool is_parameter = first == 'Q' && (is_klartext_digit(second) || second == 'L' || second == 'R');
+  if (is_klartext_digit(first) || is_function || is_parameter || first == '/') return true;
+  return std::ranges::any_of(kKeywords, [&](std::string_view one) { return take_keywords(text, one); });
+}
+
+/// A carriage return within a comment may be a line end of another system, with a block behind it.
+void check_comment(std::string_view comment, KlartextBlock& block) {
+  for (std::size_t at = comment.find('\r'); at != std::string_view::npos; at = comment.find('\r', at + 1))
+    if (may_begin_block(std::string(comment.substr(at + 1))))
+      block.error = "a carriage return in a comment, and a block behind it";
+}
+
+/// Adds a line in capitals without its comment. Text between quotation marks stays.
+void add_code(std::string_view line, KlartextBlock& block) {
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"') is_quoted = !is_quoted;
+    if (c == ';' && !is_quoted) return check_comment(line.substr(i), block);
+    block.text += is_quoted ? c : capital_of(c);
+  }
+}
+
+bool take_tilde(std::string_view& line) {
+  if (!line.ends_with('~')) return false;
+  line.remove_suffix(1);
+  return true;
+}
+
+/// Begins a block with its first line. Returns whether the next line belongs to it.
+bool begin_block(std::string_view line, KlartextBlock& block) {
+  constexpr std::string_view kMarkOfBytes = "\xef\xbb\xbf";
+  if (line.starts_with(kMarkOfBytes)) line.remove_prefix(kMarkOfBytes.size());
+  line = trim_blanks(line);
+  for (int mark = 0; mark < 2; ++mark) {
+    if (mark == 0 || block.is_skippable) remove_block_number(line);
+    if (!block.is_skippable && line.starts_with('/')) {
+      block.is_skippable = true;
+      line = trim_blanks(line.substr(1));
+    }
+  }
+  if (line.starts_with(';') || line.starts_with('*')) {
+    const std::size_t first = line.find_first_not_of(";*- \t");
+    block.comment = first == std::string_view::npos ? std::string_view() : line.substr(first);
+    std::ranges::replace(block.comment, '\r', ' ');
+    check_comment(line, block);
+    return false;
+  }
+  const bool goes_on = take_tilde(line);
+  add_code(line, block);
+  return goes_on;
+}
+
+}  // namespace
+
+KlartextBlock read_klartext_line(std::string_view line) {
+  KlartextBlock block;
+  if (begin_block(line, block)) block.text += " ~";  // no line follows
+  block.text = trim_blanks(block.text);
+  return block;
+}
+
+KlartextBlock read_klartext_block(const ProgramText& text, std::size_t index) {
+  KlartextBlock block;
+  bool goes_on = begin_block(text.line(index), block);
+  while (goes_on && ++index < text.end()) {
+    std::string_view line = trim_blanks(text.line(index));
+    goes_on = take_tilde(line);
+    block.text += ' ';
+    add_code(line, block);
+  }
+  block.text = trim_blanks(block.text);
+  block.next_index = std::min(index + 1, text.end());
+  return block;
+}
+
+bool take_keywords(std::string_view& text, std::string_view keywords) {
+  std::string_view rest = text;
+  while (!keywords.empty()) {
+    const std::size_t length = std::min(keywords.find(' '), keywords.size());
+    rest = trim_blanks(rest);
+    if (!rest.starts_with(keywords.substr(0, length))) return false;
+    rest.remove_prefix(length);
+    const auto is_of_word = [](char c, char last) {
+      return (c >= 'A' && c <= 'Z') || (is_klartext_digit(c) && is_klartext_digit(last));
+    };
+    const bool goes_on = !rest.empty() && is_of_word(rest[0], keywords[length - 1]);
+    if (goes_on) return false;
+    keywords.remove_prefix(std::min(length + 1, keywords.size()));
+  }
+  text = trim_blanks(rest);
+  return true;
+}
+
+}  // namespace gouge

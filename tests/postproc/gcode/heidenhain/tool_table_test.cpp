@@ -1,0 +1,60 @@
+#include "postproc/gcode/heidenhain/tool_table.h"
+
+#include <gtest/gtest.h>
+
+namespace gouge {
+namespace {
+
+const std::string kTable =
+    "BEGIN TOOL.T MM\r\n"
+    "T     NAME             L          R        R2       DL      DR\r\n"
+    "0                      +0         +0       +0       +0      +0\r\n"
+    "1     MILL L 5         +112.5     +5       +0       -0.02   +0\r\n"
+    "2     NONE\r\n"
+    "5.1   INDEXED          +80        +5       +0       +0      +0\r\n"
+    "12    BALL             90         +3       +3               \r\n"
+    "[END]\r\n";
+
+Result<std::map<int, double>> lengths_of(const std::string& text) { return read_heidenhain_tool_table("tool.t", text); }
+
+TEST(HeidenhainToolTable, HasTheLengthsOfItsTools) {
+  const auto lengths = lengths_of(kTable);
+  ASSERT_TRUE(lengths) << to_text(lengths.error());
+  EXPECT_EQ(lengths->size(), 3U);
+  EXPECT_DOUBLE_EQ(lengths->at(0), 0);
+  EXPECT_DOUBLE_EQ(lengths->at(1), 112.48);
+  EXPECT_DOUBLE_EQ(lengths->at(12), 90);
+}
+
+TEST(HeidenhainToolTable, IsInItsUnit) {
+  std::string text = kTable;
+  text.replace(text.find("MM"), 2, "INCH");
+  EXPECT_DOUBLE_EQ(lengths_of(text)->at(12), 90 * 25.4);
+}
+
+TEST(HeidenhainToolTable, IsRecognised) {
+  EXPECT_TRUE(is_heidenhain_tool_table(kTable));
+  EXPECT_TRUE(is_heidenhain_tool_table("BEGIN TOOL    .T MM\n"));
+  EXPECT_FALSE(is_heidenhain_tool_table("tool,length\n1,90\n"));
+  EXPECT_FALSE(is_heidenhain_tool_table("BEGIN PGM TOOL.T MM\n"));
+}
+
+TEST(HeidenhainToolTable, IsRefusedWithItsLine) {
+  const auto expect_wrong = [](const std::string& from, const std::string& to, std::size_t line) {
+    std::string text = kTable;
+    text.replace(text.find(from), from.size(), to);
+    const auto lengths = lengths_of(text);
+    ASSERT_FALSE(lengths) << text;
+    EXPECT_EQ(lengths.error().code, "tool-lengths");
+    EXPECT_EQ(lengths.error().line, line);
+  };
+  expect_wrong(" MM", "", 1);
+  expect_wrong(" L ", " X ", 2);
+  expect_wrong("+112.5 ", "+11x.5 ", 4);
+  expect_wrong("12    BALL", "1     BALL", 7);
+  expect_wrong("[END]", "", 8);
+  expect_wrong("-0.02", "-0,02", 4);
+}
+
+}  // namespace
+}  // namespace gouge
