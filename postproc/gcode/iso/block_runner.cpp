@@ -235,13 +235,18 @@ double BlockRunner::length(char letter) {
 
 void BlockRunner::move() {
   for (const GcodeRow* row : words_.rows()) {
-    if (row->meaning == Meaning::home) return go_home(*row);
+    if (row->meaning == Meaning::home) {
+      go_home(*row);
+      return end_length_by(*row);
+    }
     if (moves_axes_itself(*row)) return;
   }
   const GcodeRow* const stated = words_.row_of(ModalGroup::motion);
-  if (words_.row_of(Meaning::machine_place) != nullptr) {
+  if (const GcodeRow* const by_machine = words_.row_of(Meaning::machine_place)) {
     if (stated != nullptr) modes_.motion = stated;
-    return words_.has_axes() ? move_to_machine_place() : void();
+    if (!words_.has_axes()) return;
+    move_to_machine_place();
+    return end_length_by(*by_machine);
   }
   const bool needs_feed =
       stated != nullptr && stated->meaning != Meaning::rapid && stated->meaning != Meaning::no_motion;

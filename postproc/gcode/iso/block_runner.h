@@ -82,6 +82,7 @@ class BlockRunner {
   void move();
   void move_to_machine_place();
   void go_home(const GcodeRow& row);
+  void end_length_by(const GcodeRow& row);
   void go_by(const GcodeRow& row);
   void go_round(const GcodeRow& row, const Target& to);
   void drill(const GcodeRow& row);

@@ -83,6 +83,7 @@ struct GcodeRow {
   bool takes_axes = true;        ///< axis words may be in its block
   std::string_view note = {};    ///< reason of not_checked
   std::string_view source = {};  ///< manual and page
+  bool cancels_length = false;   ///< its motion of Z, or of all axes, ends the tool length
 };
 
 /// Motions of a cycle after the rapid to R.

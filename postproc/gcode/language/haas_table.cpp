@@ -10,6 +10,9 @@ using Group = ModalGroup;
 
 constexpr std::string_view kHaasCodes = "Haas, Mill Operator's Manual, G-codes and M-codes";
 
+// "G28 cancels tool length offsets for the following lines of code."
+constexpr std::string_view kHaasHome = "Haas, Mill Operator's Manual, G28 Return to Machine Zero Point";
+
 // Ascending by letter and number.
 constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 0, rapid, Group::motion, "", true, "", kHaasCodes},
@@ -23,8 +26,8 @@ constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 190, plane_yz, Group::plane, "", true, "", kHaasCodes},
     {'G', 200, inch, Group::unit, "", true, "", kHaasCodes},
     {'G', 210, mm, Group::unit, "", true, "", kHaasCodes},
-    {'G', 280, home, Group::none, "", true, "", kHaasCodes},
-    {'G', 300, home, Group::none, "", true, "", kHaasCodes},
+    {'G', 280, home, Group::none, "", true, "", kHaasHome, true},
+    {'G', 300, home, Group::none, "", true, "", kHaasHome, true},
     {'G', 400, harmless, Group::compensation, "", true, "", kHaasCodes},
     {'G', 410, not_checked, Group::compensation, "DH", true, "the path is compensated by the radius of the tool",
      kHaasCodes},

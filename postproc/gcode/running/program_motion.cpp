@@ -187,6 +187,10 @@ void ProgramMotion::settle_length() {
   const bool needs_length = setup_.machine != nullptr && has_rotary_head(*setup_.machine);
   if (needs_length && !true_length && state_.tip_control == TipControl::off)
     state_.open_length = "the length of " + name + " is not given; expected --tool-lengths or --tool-length";
+  if (!lost_length_.empty()) {
+    state_.open_length = lost_length_;
+    return;
+  }
   // A tool change does not apply the length of the new tool.
   const std::optional<int> applied = length_number_;
   if (!applied && length_tool_ != tool_)
@@ -221,6 +225,7 @@ void ProgramMotion::apply_length(std::optional<int> h) {
   change_state([&] {
     length_ = Length::applied;
     length_number_ = h ? h : tool_number();
+    lost_length_.clear();
     length_tool_ = tool_;
     settle_length();
   });
@@ -230,6 +235,15 @@ void ProgramMotion::cancel_length() {
   change_state([&] {
     length_ = Length::none;
     length_number_.reset();
+    lost_length_.clear();
+    settle_length();
+  });
+}
+
+void ProgramMotion::lose_length(const std::string& reason) {
+  if (length_ == Length::none) return;
+  change_state([&] {
+    lost_length_ = reason;
     settle_length();
   });
 }

@@ -70,6 +70,8 @@ class ProgramMotion {
   /// Applies the length of H; none: that of the tool in the spindle.
   void apply_length(std::optional<int> h);
   void cancel_length();
+  /// Makes the length that is applied doubtful until another code states it; nothing is changed where none is applied.
+  void lose_length(const std::string& reason);
   /// Rapids without tool centre point control run straight on this control.
   void run_rapids_together() { are_rapids_together_ = true; }
   /// The program never applies a length: the work offset includes that of the first tool.
@@ -151,6 +153,7 @@ class ProgramMotion {
   bool has_lengths_ = true;
   enum class Length : std::uint8_t { none, applied } length_ = Length::none;
   std::optional<int> length_number_;  // of H; none: of the tool
+  std::string lost_length_;           // why the length that was applied may be in force no more; empty: it is
   std::size_t tools_loaded_ = 0;
   std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
   bool are_rapids_together_ = false;
