@@ -55,6 +55,8 @@ class ProgramRun {
   [[nodiscard]] bool is_left_out();
   [[nodiscard]] bool names_program(std::string_view line);
   void follow(const NextBlock& next);
+  void lose_at_system_variable(const std::vector<GcodeAssignment>& assignments);
+  void assign(const std::vector<GcodeAssignment>& assignments);
   void call(const NextBlock& next);
   void begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals);
   void end_call();

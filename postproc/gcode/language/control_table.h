@@ -116,6 +116,8 @@ struct GcodeSyntax {
   bool has_named_variables = false;    ///< #<name>
   bool binds_and_as_times = false;     ///< AND has the rank of *, OR and XOR that of + (Fanuc)
   bool has_equal_tolerance = false;    ///< EQ and NE compare within a tolerance (LinuxCNC)
+  long long first_system_variable =
+      1000;  ///< variables from this number are those of the control: offsets, lengths, timers
 };
 
 /// A control whose programs have words of one letter (ISO 6983).

@@ -50,5 +50,23 @@ TEST(GcodeEffects, ALengthThatIsCancelledStaysSoInTheNextTool) {
   expect_checked(program("G91 G28 Z0.\nG90 T2 M6\nG43 H2\nG0 X5. Y0. Z20.\nG1 X6. F9.\n"), "haas", measured());
 }
 
+TEST(GcodeEffects, VariablesOfTheControlChangeItsOffsetsAndLengths) {
+  for (const char* control : {"haas", "fanuc"}) {
+    for (const char* variable : {"#5221", "#2001", "#11001", "#7001", "#1000"})
+      expect_open(program(std::string(variable) + "=10.\nG1 X5. F9.\n"), control, std::string(variable) + ",",
+                  measured());
+    expect_open(program("#100=5221\n#[#100]=10.\nG1 X5. F9.\n"), control, "line 5 is not understood: #5221",
+                measured());
+    expect_open(program("IF [1 EQ 1] THEN #5221=10.\nG1 X5. F9.\n"), control, "#5221", measured());
+    expect_open(program("G1 X#3001 F9.\n"), control, "the value of X", measured());
+    expect_checked(program("#999=5.\nG1 X#999 F9.\n"), control, measured());
+  }
+  expect_open("G61\n" + program("#5241=10\nG1 X5 F9\n"), "linuxcnc", "#5241,", measured());
+  expect_checked("G61\n" + program("#5000=5\nG1 X#5000 F9\n"), "linuxcnc", measured());
+  ProgramSetup setup = measured();
+  setup.start = "#5221=10.\n";
+  expect_open(program("G1 X5. F9.\n"), "haas", "set variables", setup);
+}
+
 }  // namespace
 }  // namespace gouge::test
