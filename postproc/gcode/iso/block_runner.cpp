@@ -165,13 +165,27 @@ void BlockRunner::take_path_control(const GcodeRow& row) {
     return;
   }
   if (row.meaning == Meaning::harmless && kind != ProgramDoubt::rest) motion_.end_doubt(kind);
-  if (row.meaning != Meaning::blending) return;
-  const double stated = words_.has('P') ? length('P') : kUnknownValue;
-  if (setup_.tip_tolerance_mm && !(stated > *setup_.tip_tolerance_mm)) return motion_.end_doubt(kind);
-  if (std::abs(stated) <= 0) return motion_.end_doubt(kind);
-  const std::string by = is_known(stated) ? display_text(stated, 4) + " mm" : "an unknown distance";
-  motion_.doubt(kind, code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
-                          " lets the tool leave its path by " + by + "; expected --tip-tolerance");
+  if (row.meaning == Meaning::blending) take_blending(row);
+}
+
+// Source: LinuxCNC, G64: P0 is no tolerance; moves that are within Q of a line are one move, which P rounds in addition.
+void BlockRunner::take_blending(const GcodeRow& row) {
+  double distance_mm = kUnknownValue, least_mm = 0;
+  for (const char letter : row.distance) {
+    const double stated = words_.has(letter) ? length(letter) : 0;
+    least_mm += is_known(stated) ? stated : 0;
+    distance_mm = letter != row.distance.front() ? distance_mm + stated : stated > 0 ? stated : kUnknownValue;
+  }
+  lost_.clear();  // an unknown distance is one that the user covers, or a doubt
+  if (setup_.tip_tolerance_mm && !(least_mm > *setup_.tip_tolerance_mm))
+    return motion_.end_doubt(ProgramDoubt::path_control);
+  const std::string by = is_known(distance_mm) ? display_text(distance_mm, 4) + " mm" : "an unknown distance";
+  const std::string code = code_text(row.letter, row.number);
+  const bool is_start = line_ == 0;
+  motion_.doubt(ProgramDoubt::path_control,
+                code + (is_start ? ", in force at the start," : " in line " + std::to_string(line_)) +
+                    " lets the tool leave its path by " + by +
+                    (is_start ? "; expected --start G61 or --tip-tolerance" : "; expected --tip-tolerance"));
 }
 
 void BlockRunner::change_tool() {

@@ -70,6 +70,7 @@ class BlockRunner {
   void take_modes();
   void take_code(const GcodeRow& row);
   void take_path_control(const GcodeRow& row);
+  void take_blending(const GcodeRow& row);
   void take_length(const GcodeRow& row);
   void begin_tip_control(const GcodeRow& row);
   void end_tip_control(const GcodeRow& row);

@@ -44,7 +44,7 @@ enum class GcodeMeaning : std::uint8_t {
   tilted_plane,      ///< later positions are in a tilted frame
   align_to_plane,    ///< the rotary joints align the tool with the tilted frame
   tilted_plane_off,  ///< ends all frames of the program
-  blending,          ///< later motions leave the path by P; without P by an unknown distance
+  blending,  ///< later motions leave the path by the words GcodeRow::distance; without them by an unknown distance
   tool_change,
   selects_tool,
   program_end,
@@ -84,6 +84,8 @@ struct GcodeRow {
   std::string_view note = {};    ///< reason of not_checked
   std::string_view source = {};  ///< manual and page
   bool cancels_length = false;   ///< its motion of Z, or of all axes, ends the tool length
+  /// Of blending: words whose sum is the distance. The first must be above 0; else the distance is not known.
+  std::string_view distance = {};
 };
 
 /// Motions of a cycle after the rapid to R.

@@ -90,7 +90,7 @@ constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 1280, work_offset, Group::work_offset, "", true, "", kHaasCodes},
     {'G', 1290, work_offset, Group::work_offset, "", true, "", kHaasCodes},
     {'G', 1540, work_offset, Group::work_offset, "P", true, "", kHaasCodes},
-    {'G', 1870, blending, Group::path_control, "PE", false, "", kHaasCodes},
+    {'G', 1870, blending, Group::path_control, "PE", false, "", kHaasCodes, false, "E"},
     {'G', 2340, tip_control_on, Group::length, "H", true, "", kHaasCodes},
     {'G', 2530, align_to_plane, Group::none, "", false, "", kHaasCodes},
     {'G', 2540, turned_offset_on, Group::none, "", false, "", kHaasCodes},

@@ -44,7 +44,7 @@ constexpr auto kLinuxcncRows = std::to_array<GcodeRow>({
     {'G', 593, work_offset, Group::work_offset, "", true, "", kCodes},
     {'G', 610, harmless, Group::path_control, "", true, "", kCodes},
     {'G', 611, harmless, Group::path_control, "", true, "", kCodes},
-    {'G', 640, blending, Group::path_control, "PQ", true, "", kCodes},
+    {'G', 640, blending, Group::path_control, "PQ", true, "", kCodes, false, "PQ"},
     {'G', 730, cycle, Group::motion, "", true, "", kCodes},
     {'G', 800, no_motion, Group::motion, "", true, "", kCodes},
     {'G', 810, cycle, Group::motion, "", true, "", kCodes},
@@ -107,13 +107,13 @@ const ControlTable& linuxcnc_table() {
       .rows = kLinuxcncRows,
       .cycles = kLinuxcncCycles,
       .always = "FST",
-      .start = "G17 G40 G49 G54 G80 G90 G91.1 G94",
+      .start = "G17 G40 G49 G54 G64 G80 G90 G91.1 G94",
       .has_default_length = true,
       .winds_as_programmed = true,
       .has_tip_frame_of_table = true,
       .has_straight_rapids = true,
       .turns_along_arcs = true,
-      .source = "LinuxCNC, G-Code Reference; src/emc/rs274ngc/interp_convert.cc: state after a reset",
+      .source = "LinuxCNC, G-Code Reference; src/emc/rs274ngc/interp_convert.cc and emccanon.cc: state after a reset",
   };
   return table;
 }

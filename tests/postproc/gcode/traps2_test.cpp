@@ -41,7 +41,7 @@ TEST(GcodeEffects, MotionsToTheMachineCancelTheLength) {
   expect_open(program("G53 Z300.\nG0 Z50.\n"), "fanuc", "G53 in line 4 cancels the tool length", measured());
   expect_checked(program("G53 Z300.\nG0 Z50.\n"), "haas", measured());
   expect_checked(program("G53 X30.\nG0 Z50.\n"), "fanuc", measured());
-  expect_checked("G61\n" + program("G91 G28 Z0.\nG90 G0 X5.\nG0 Z50.\n"), "linuxcnc", measured());
+  expect_checked(program("G91 G28 Z0.\nG90 G0 X5.\nG0 Z50.\n"), "linuxcnc", measured());
 }
 
 TEST(GcodeEffects, ALengthThatIsCancelledStaysSoInTheNextTool) {
@@ -61,11 +61,48 @@ TEST(GcodeEffects, VariablesOfTheControlChangeItsOffsetsAndLengths) {
     expect_open(program("G1 X#3001 F9.\n"), control, "the value of X", measured());
     expect_checked(program("#999=5.\nG1 X#999 F9.\n"), control, measured());
   }
-  expect_open("G61\n" + program("#5241=10\nG1 X5 F9\n"), "linuxcnc", "#5241,", measured());
-  expect_checked("G61\n" + program("#5000=5\nG1 X#5000 F9\n"), "linuxcnc", measured());
+  expect_open(program("#5241=10\nG1 X5 F9\n"), "linuxcnc", "#5241,", measured());
+  expect_checked(program("#5000=5\nG1 X#5000 F9\n"), "linuxcnc", measured());
   ProgramSetup setup = measured();
   setup.start = "#5221=10.\n";
   expect_open(program("G1 X5. F9.\n"), "haas", "set variables", setup);
+}
+
+TEST(GcodeEffects, LinuxcncBeginsWithoutATolerance) {
+  const std::string plain = "G17 G21 G90 G94\nG0 X0 Y0 Z1\nG1 X10 F5000\nG1 Y10\nM2\n";
+  const auto read = [](const std::string& text, ProgramSetup setup) {
+    setup.control = "linuxcnc";
+    return read_gcode("program.ngc", SourceText(text), {std::move(setup), std::nullopt, {}, ""}, {});
+  };
+  const ReadOutcome outcome = read(plain, {});
+  EXPECT_FALSE(can_be_clean(outcome));
+  EXPECT_NE(reasons_of(outcome).find("--start G61 or --tip-tolerance"), std::string::npos) << reasons_of(outcome);
+  ProgramSetup told;
+  told.tip_tolerance_mm = 0.02;
+  EXPECT_TRUE(can_be_clean(read(plain, told)));
+  ProgramSetup exact;
+  exact.start = "G61\n";
+  EXPECT_TRUE(can_be_clean(read(plain, exact)));
+  for (const char* block : {"G61\n", "G61.1\n"}) EXPECT_TRUE(can_be_clean(read(block + plain, {}))) << block;
+}
+
+TEST(GcodeEffects, DistancesOfSmoothingAreThoseOfTheControl) {
+  const auto smoothed = [](const std::string& block) {
+    return "G21 G90 G94 G17\n" + block + "\nG0 X0. Y0. Z1.\nG1 X10. F100.\nM2\n";
+  };
+  ProgramSetup setup;
+  setup.are_joint_rapids_straight = true;
+  expect_open(smoothed("G64 P0"), "linuxcnc", "an unknown distance");
+  expect_open(smoothed("G64 Q0.5"), "linuxcnc", "an unknown distance");
+  expect_open(smoothed("G187 P1"), "haas", "an unknown distance", setup);
+  setup.tip_tolerance_mm = 0.02;
+  expect_checked(smoothed("G64 P0"), "linuxcnc", setup);
+  expect_checked(smoothed("G64 P0.01 Q0.01"), "linuxcnc", setup);
+  expect_open(smoothed("G64 P0.01 Q0.5"), "linuxcnc", "by 0.51 mm", setup);
+  expect_open(smoothed("G64 Q0.5"), "linuxcnc", "an unknown distance", setup);
+  expect_open(smoothed("G187 E0.5"), "haas", "by 0.5 mm", setup);
+  expect_open(smoothed("G187 P3 E0.5"), "haas", "by 0.5 mm", setup);
+  expect_checked(smoothed("G187 P3 E0.02"), "haas", setup);
 }
 
 }  // namespace
