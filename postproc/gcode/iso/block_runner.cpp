@@ -81,7 +81,7 @@ void BlockRunner::take_modes() {
   }
   if (words_.row_of(Meaning::tool_change) != nullptr) change_tool();
   for (const GcodeRow* row : words_.rows()) take_path_control(*row);
-  for (const GcodeRow* row : words_.rows()) take_length(*row);
+  take_lengths();
   for (const GcodeRow* row : words_.rows()) {
     if (row->meaning == Meaning::work_offset) take_offset(*row);
     if (row->meaning == Meaning::tilted_plane) take_tilted_plane();

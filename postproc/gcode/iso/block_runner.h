@@ -71,7 +71,9 @@ class BlockRunner {
   void take_code(const GcodeRow& row);
   void take_path_control(const GcodeRow& row);
   void take_blending(const GcodeRow& row);
+  void take_lengths();
   void take_length(const GcodeRow& row);
+  [[nodiscard]] bool states_place_of_z() const;
   void begin_tip_control(const GcodeRow& row);
   void end_tip_control(const GcodeRow& row);
   void take_offset(const GcodeRow& row);

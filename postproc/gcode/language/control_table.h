@@ -129,9 +129,10 @@ struct ControlTable {
   GcodeSyntax syntax;
   std::span<const GcodeRow> rows;  ///< ascending by letter and number
   std::span<const GcodeCycle> cycles;
-  std::string_view always;          ///< addresses that every block may have
-  std::string_view start;           ///< blocks in force at the start by the manual; others must be stated
-  bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle
+  std::string_view always;              ///< addresses that every block may have
+  std::string_view start;               ///< blocks in force at the start by the manual; others must be stated
+  std::string_view length_motion = {};  ///< parameter that states whether a code of length moves Z; empty: it does not
+  bool has_default_length = false;      ///< G43 without H takes the length of the tool in the spindle
   bool winds_as_programmed =
       false;  ///< an absolute rotary word states the turn too; else a parameter may shorten the way
   bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it

@@ -132,6 +132,7 @@ const ControlTable& fanuc_table() {
       .cycles = kFanucCycles,
       .always = "FSTD",
       .start = "G54 G80",
+      .length_motion = "parameter 5006#6 (TOS)",
       .source = kFanucCodes,
   };
   return table;

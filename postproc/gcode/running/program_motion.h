@@ -70,6 +70,11 @@ class ProgramMotion {
   /// Applies the length of H; none: that of the tool in the spindle.
   void apply_length(std::optional<int> h);
   void cancel_length();
+  /// Returns the number of the length that is applied, 0 without one; none: it is not known.
+  [[nodiscard]] std::optional<int> applied_length() const {
+    if (length_ == Length::none) return 0;
+    return lost_length_.empty() ? length_number_ : std::nullopt;
+  }
   /// Makes the length that is applied doubtful until another code states it; nothing is changed where none is applied.
   void lose_length(const std::string& reason);
   /// Rapids without tool centre point control run straight on this control.
@@ -89,6 +94,7 @@ class ProgramMotion {
   /// Begins a doubt, with a reason for the user; a rest of the program that is not known keeps its first reason.
   void doubt(ProgramDoubt kind, std::string reason);
   void end_doubt(ProgramDoubt kind);
+  [[nodiscard]] bool has_doubt(ProgramDoubt kind) const { return !doubts_.at(static_cast<std::size_t>(kind)).empty(); }
   [[nodiscard]] bool is_rest_unknown() const { return !doubts_[0].empty(); }
 
   // Motions.

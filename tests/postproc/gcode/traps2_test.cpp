@@ -105,5 +105,14 @@ TEST(GcodeEffects, DistancesOfSmoothingAreThoseOfTheControl) {
   expect_checked(smoothed("G187 P3 E0.02"), "haas", setup);
 }
 
+TEST(GcodeEffects, CodesOfLengthMayMoveZOnFanuc) {
+  for (const char* block : {"G49\n", "G43 H2\n", "G49 G91 G0 Z-21.\n", "G49 G0 X5.\n", "G49\nG0 Z90.\n"}) {
+    expect_open(program(block), "fanuc", "parameter 5006#6", measured());
+    expect_checked(program(block), "haas", measured());
+  }
+  for (const char* block : {"G49 G0 Z90.\nG1 X5. F9.\n", "G43 H1\nG0 X5.\n", "G43 H2 Z70.\nG1 X5. F9.\n"})
+    expect_checked(program(block), "fanuc", measured());
+}
+
 }  // namespace
 }  // namespace gouge::test
