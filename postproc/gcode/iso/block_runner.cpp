@@ -71,6 +71,13 @@ NextBlock BlockRunner::run(const GcodeBlock& block, std::size_t line) {
   return take_flow();
 }
 
+bool BlockRunner::has_end(const GcodeBlock& block) const {
+  return std::ranges::any_of(block.words, [&](const GcodeWord& word) {
+    const GcodeRow* const row = word.letter == 'M' ? index_.row(word) : nullptr;
+    return row != nullptr && row->meaning == Meaning::program_end;
+  });
+}
+
 void BlockRunner::take_modes() {
   for (const GcodeRow* row : words_.rows()) take_code(*row);
   if (words_.has('F')) take_feed();

@@ -51,6 +51,9 @@ class BlockRunner {
   /// Ends the knowledge of all that follows, because of a word or statement in a line.
   void lose_rest(const std::string& reason, std::size_t line);
 
+  /// Returns whether a block has the word that ends a program.
+  [[nodiscard]] bool has_end(const GcodeBlock& block) const;
+
   [[nodiscard]] const GcodeModes& modes() const { return modes_; }
   [[nodiscard]] std::size_t unit_line() const { return unit_line_; }
   /// Returns whether a length stands before the unit.

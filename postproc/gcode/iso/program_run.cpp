@@ -74,6 +74,8 @@ void ProgramRun::run_block() {
   lose_at_system_variable(block_.assignments);
   const NextBlock next = runner_.run(block_, main_->number(main_at_));
   assign(block_.assignments);
+  const bool is_lost_end = motion_.is_rest_unknown() && calls_.empty() && runner_.has_end(block_);
+  if (is_lost_end) end_line_ = main_->number(main_at_);
   follow(next);
 }
 
@@ -119,9 +121,8 @@ void ProgramRun::follow(const NextBlock& next) {
       return call(next);
     case NextBlock::Kind::back:
       if (!calls_.empty()) return end_call();
-      has_ended_ = true;  // the program would begin again
-      end_line_ = main_->number(main_at_);
-      return;
+      has_ended_ = begins_again_ = true;
+      return lose("M99 in the main program begins it again, and its later passes are not read; expected M30");
   }
 }
 

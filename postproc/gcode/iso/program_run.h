@@ -30,6 +30,8 @@ class ProgramRun {
 
   /// Returns the line of the block that ends the program; 0: it has none.
   [[nodiscard]] std::size_t end_line() const { return end_line_; }
+  /// Returns whether the program begins again at its end.
+  [[nodiscard]] bool begins_again() const { return begins_again_; }
 
  private:
   /// Program beside the file, as read.
@@ -93,7 +95,7 @@ class ProgramRun {
   std::vector<Loop> loops_;
   std::map<std::string, BesideText> besides_;
   std::size_t end_line_ = 0;
-  bool has_ended_ = false;
+  bool has_ended_ = false, begins_again_ = false;
 };
 
 }  // namespace gouge

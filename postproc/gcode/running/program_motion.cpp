@@ -164,6 +164,16 @@ void ProgramMotion::align_to_plane() {
   is_map_current_ = false;
 }
 
+std::string ProgramMotion::why_sideways() const {
+  for (const std::optional<int> number : {tool_number(), length_ == Length::none ? std::nullopt : length_number_}) {
+    const auto found = number ? setup_.lengths_mm.find(*number) : setup_.lengths_mm.end();
+    if (found != setup_.lengths_mm.end() && std::isnan(found->second))
+      return "the tool table moves T" + std::to_string(*number) +
+             " along or about other axes than Z, which is not read; expected offsets of Z alone in --tool-lengths";
+  }
+  return {};
+}
+
 // Finds the length that the control applies, and the true one. Where they are equal, neither need be known on a machine
 // whose head does not turn: the program states the tip.
 void ProgramMotion::settle_length() {
@@ -172,7 +182,8 @@ void ProgramMotion::settle_length() {
   const std::string name = tool ? "T" + std::to_string(*tool) : "the tool";
   state_.tool_length_mm = true_length.value_or(0);
   state_.excess_length_mm = 0;
-  state_.open_length.clear();
+  state_.open_length = why_sideways();
+  if (!state_.open_length.empty()) return;
   if (length_ == Length::none) {
     if (!has_lengths_) {
       if (tools_loaded_ > 1) state_.open_length = "the program changes the tool and applies no length; expected G43";

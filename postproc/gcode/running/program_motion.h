@@ -133,6 +133,7 @@ class ProgramMotion {
   template <typename Change>
   void change_state(const Change& change);
   void settle_length();
+  [[nodiscard]] std::string why_sideways() const;
   void add(Move& move, const AxisPlace& to, const Reached& reached, std::string reason);
   [[nodiscard]] bool is_approach(MoveKind kind, const Reached& end) const;
   void approach(const AxisPlace& to);

@@ -114,5 +114,49 @@ TEST(GcodeEffects, CodesOfLengthMayMoveZOnFanuc) {
     expect_checked(program(block), "fanuc", measured());
 }
 
+TEST(GcodeEffects, M99InTheMainProgramBeginsItAgain) {
+  for (const char* control : {"haas", "fanuc"}) {
+    const ReadOutcome outcome =
+        read_program("%\nO0001\n" + std::string(kStart) + "G1 X5. F9.\nM99\n%\n", control, measured());
+    EXPECT_NE(reasons_of(outcome).find("begins it again"), std::string::npos) << reasons_of(outcome);
+    ASSERT_TRUE(outcome.toolpath.has_value());
+    for (const Assumption& fact : outcome.toolpath->assumptions) {
+      if (fact.subject == Subject::completeness) {
+        EXPECT_EQ(fact.basis, Basis::unknown);
+      }
+    }
+  }
+}
+
+TEST(GcodeEffects, SubprogramsOfLinuxcncHaveThirtyVariablesOfTheirOwn) {
+  const std::string start = "G17 G21 G90 G94\nG0 X0 Y0 Z10\n";
+  const auto after_call = [&](const std::string& variable) {
+    return path_of_program(
+        start + variable + "=5\no100 sub\n" + variable + "=9\no100 endsub\no100 call\nG1 X" + variable + " F100\nM2\n",
+        "linuxcnc");
+  };
+  expect_tip(after_call("#31").moves.back(), 9, 0, 10);
+  expect_tip(after_call("#30").moves.back(), 5, 0, 10);
+}
+
+TEST(GcodeEffects, RepeatRoundsToTheNearest) {
+  for (const auto& [count, depth] : {std::pair{"0.3/0.1", 3}, {"2.4", 2}, {"2.5", 3}, {"0.4", 0}}) {
+    const Toolpath path = path_of_program(
+        "G17 G21 G94 G90\nG0 X0 Y0 Z0\nG91\no1 repeat [" + std::string(count) + "]\nG1 Z-1 F100\no1 endrepeat\nM2\n",
+        "linuxcnc");
+    EXPECT_EQ(path.moves.size(), static_cast<std::size_t>(depth) + 1) << count;
+  }
+}
+
+TEST(GcodeEffects, OffsetsOfAToolBesideItsAxisAreNotRead) {
+  ProgramSetup setup = measured();
+  setup.lengths_mm[1] = kSidewaysLength;
+  setup.tool_length_mm = 60;
+  const std::string text = "G17 G21 G90 G94\nT1 M6\nG43 H2\nG0 X0 Y0 Z80\nG1 X5 Z9 F100\nM2\n";
+  expect_open(text, "linuxcnc", "other axes than Z", setup);
+  expect_open("G17 G21 G90 G94\nT2 M6\nG43 H1\nG0 X0 Y0 Z80\nG1 X5 F100\nM2\n", "linuxcnc", "other axes than Z", setup);
+  expect_checked("G17 G21 G90 G94\nT2 M6\nG43 H2\nG0 X0 Y0 Z80\nM2\n", "linuxcnc", setup);
+}
+
 }  // namespace
 }  // namespace gouge::test
