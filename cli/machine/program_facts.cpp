@@ -1,6 +1,7 @@
 #include "cli/machine/program_facts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -59,18 +60,23 @@ std::optional<std::pair<int, double>> parse_csv_row(std::string_view line) {
 std::optional<std::pair<int, double>> parse_table_row(std::string_view line) {
   std::optional<long long> tool;
   double length = 0;
+  bool is_sideways = false;
   for (const std::string& word : split_text(std::string(line), ' ')) {
     if (word.empty()) continue;
     const char letter = static_cast<char>(word[0] & ~0x20);
-    const std::string_view value = std::string_view(word).substr(1);
+    std::string_view value = std::string_view(word).substr(1);
+    if (value.starts_with('+')) value.remove_prefix(1);
     if (letter == 'T') tool = parse_integer(value);
-    if (letter != 'Z') continue;
+    if (std::string_view("XYZABCUVW").find(letter) == std::string_view::npos) continue;
     const auto number = parse_number(value);
     if (!number) return std::nullopt;
-    length = *number;
+    if (letter == 'Z')
+      length = *number;
+    else
+      is_sideways = is_sideways || std::abs(*number) > 0;
   }
   if (!tool || *tool < 0 || *tool > 1'000'000) return std::nullopt;
-  return std::pair{static_cast<int>(*tool), length};
+  return std::pair{static_cast<int>(*tool), is_sideways ? kSidewaysLength : length};
 }
 
 Diagnostic wrong_value(const std::string& option, const std::string& typed, const std::string& expected) {

@@ -59,7 +59,8 @@ class PublicProgram : public testing::Test {
     if (!std::filesystem::exists(data_)) GTEST_SKIP() << "no ../shared/data/gcode";
   }
   [[nodiscard]] std::string laws_of(const std::string& file, const std::string& machine) const {
-    const Outcome ran = run_gougecheck(fresh_folder(), {"path", "laws", data_ + file, "--machine", machine});
+    const Outcome ran =
+        run_gougecheck(fresh_folder(), {"path", "laws", data_ + file, "--machine", machine, "--start", "G61"});
     EXPECT_EQ(ran.exit_status, 0) << ran.err;
     return ran.out + ran.err;
   }

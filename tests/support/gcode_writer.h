@@ -17,7 +17,7 @@ namespace gouge::test {
 inline std::optional<std::string> write_program(const Toolpath& path, const Machine& machine) {
   const JointChoice choice = choose_joints(machine, path);
   const double unit = mm_per(path.unit);
-  std::string text = std::string(path.unit == LengthUnit::inch ? "G20" : "G21") + " G90 G91.1 G17 G94\nM428\n";
+  std::string text = std::string(path.unit == LengthUnit::inch ? "G20" : "G21") + " G90 G91.1 G17 G94 G61\nM428\n";
   std::size_t tool = kNone;
   const auto word = [&](char letter, double value) { return " " + std::string(1, letter) + exact_text(value); };
   for (std::size_t i = 0; i < path.moves.size(); ++i) {

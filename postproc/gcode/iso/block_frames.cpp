@@ -20,6 +20,31 @@ Eigen::Matrix3d euler_rotation(double about_z, double about_x, double about_new_
 
 }  // namespace
 
+bool BlockRunner::states_place_of_z() const {
+  const bool is_in_force = modes_.motion != nullptr && words_.row_of(ModalGroup::motion) == nullptr;
+  const bool is_cycle = words_.row_of(Code::cycle) != nullptr || (is_in_force && modes_.motion->meaning == Code::cycle);
+  return words_.is_axis('Z') && modes_.is_absolute == true && !is_cycle;
+}
+
+// Source: Fanuc, parameter 5006#6: a code of length shifts the coordinates, or moves the axis by the change of the length.
+void BlockRunner::take_lengths() {
+  const GcodeRow* const of_length = words_.row_of(ModalGroup::length);
+  const bool was_known = is_known(motion_.place().xyz.z());
+  const bool was_doubtful = motion_.has_doubt(ProgramDoubt::length);
+  const auto before = motion_.applied_length();
+  for (const GcodeRow* row : words_.rows()) take_length(*row);
+  const std::string_view parameter = index_.control().length_motion;
+  if (error_ || of_length == nullptr || parameter.empty() || !was_known || states_place_of_z()) return;
+  const auto after = motion_.applied_length();
+  const bool is_certain = before && after && !was_doubtful && !motion_.has_doubt(ProgramDoubt::length);
+  if (is_certain && before == after) return;
+  AxisPlace to = motion_.place();
+  to.xyz.z() = kUnknownValue;
+  motion_.go_unchecked(MoveKind::rapid, to,
+                       std::string(parameter) + " states whether " + code_text(of_length->letter, of_length->number) +
+                           " in line " + std::to_string(line_) + " moves Z; expected an absolute Z in its block");
+}
+
 void BlockRunner::take_length(const GcodeRow& row) {
   const bool is_of_length_group = row.group == ModalGroup::length;
   const auto h = words_.integer('H');

@@ -60,4 +60,12 @@ void BlockRunner::go_home(const GcodeRow& row) {
   motion_.go(MoveKind::rapid, home);
 }
 
+// Whether and when the length comes back is chosen by parameters of the control.
+void BlockRunner::end_length_by(const GcodeRow& row) {
+  const bool moves_z = words_.is_axis('Z') || !words_.has_axes();
+  if (!row.cancels_length || !moves_z) return;
+  motion_.lose_length(code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
+                      " cancels the tool length; expected G43 after it");
+}
+
 }  // namespace gouge

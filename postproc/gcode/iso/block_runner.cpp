@@ -71,6 +71,13 @@ NextBlock BlockRunner::run(const GcodeBlock& block, std::size_t line) {
   return take_flow();
 }
 
+bool BlockRunner::has_end(const GcodeBlock& block) const {
+  return std::ranges::any_of(block.words, [&](const GcodeWord& word) {
+    const GcodeRow* const row = word.letter == 'M' ? index_.row(word) : nullptr;
+    return row != nullptr && row->meaning == Meaning::program_end;
+  });
+}
+
 void BlockRunner::take_modes() {
   for (const GcodeRow* row : words_.rows()) take_code(*row);
   if (words_.has('F')) take_feed();
@@ -81,7 +88,7 @@ void BlockRunner::take_modes() {
   }
   if (words_.row_of(Meaning::tool_change) != nullptr) change_tool();
   for (const GcodeRow* row : words_.rows()) take_path_control(*row);
-  for (const GcodeRow* row : words_.rows()) take_length(*row);
+  take_lengths();
   for (const GcodeRow* row : words_.rows()) {
     if (row->meaning == Meaning::work_offset) take_offset(*row);
     if (row->meaning == Meaning::tilted_plane) take_tilted_plane();
@@ -165,13 +172,27 @@ void BlockRunner::take_path_control(const GcodeRow& row) {
     return;
   }
   if (row.meaning == Meaning::harmless && kind != ProgramDoubt::rest) motion_.end_doubt(kind);
-  if (row.meaning != Meaning::blending) return;
-  const double stated = words_.has('P') ? length('P') : kUnknownValue;
-  if (setup_.tip_tolerance_mm && !(stated > *setup_.tip_tolerance_mm)) return motion_.end_doubt(kind);
-  if (std::abs(stated) <= 0) return motion_.end_doubt(kind);
-  const std::string by = is_known(stated) ? display_text(stated, 4) + " mm" : "an unknown distance";
-  motion_.doubt(kind, code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
-                          " lets the tool leave its path by " + by + "; expected --tip-tolerance");
+  if (row.meaning == Meaning::blending) take_blending(row);
+}
+
+// Source: LinuxCNC, G64: P0 is no tolerance; moves that are within Q of a line are one move, which P rounds in addition.
+void BlockRunner::take_blending(const GcodeRow& row) {
+  double distance_mm = kUnknownValue, least_mm = 0;
+  for (const char letter : row.distance) {
+    const double stated = words_.has(letter) ? length(letter) : 0;
+    least_mm += is_known(stated) ? stated : 0;
+    distance_mm = letter != row.distance.front() ? distance_mm + stated : stated > 0 ? stated : kUnknownValue;
+  }
+  lost_.clear();  // an unknown distance is one that the user covers, or a doubt
+  if (setup_.tip_tolerance_mm && !(least_mm > *setup_.tip_tolerance_mm))
+    return motion_.end_doubt(ProgramDoubt::path_control);
+  const std::string by = is_known(distance_mm) ? display_text(distance_mm, 4) + " mm" : "an unknown distance";
+  const std::string code = code_text(row.letter, row.number);
+  const bool is_start = line_ == 0;
+  motion_.doubt(ProgramDoubt::path_control,
+                code + (is_start ? ", in force at the start," : " in line " + std::to_string(line_)) +
+                    " lets the tool leave its path by " + by +
+                    (is_start ? "; expected --start G61 or --tip-tolerance" : "; expected --tip-tolerance"));
 }
 
 void BlockRunner::change_tool() {
@@ -235,13 +256,18 @@ double BlockRunner::length(char letter) {
 
 void BlockRunner::move() {
   for (const GcodeRow* row : words_.rows()) {
-    if (row->meaning == Meaning::home) return go_home(*row);
+    if (row->meaning == Meaning::home) {
+      go_home(*row);
+      return end_length_by(*row);
+    }
     if (moves_axes_itself(*row)) return;
   }
   const GcodeRow* const stated = words_.row_of(ModalGroup::motion);
-  if (words_.row_of(Meaning::machine_place) != nullptr) {
+  if (const GcodeRow* const by_machine = words_.row_of(Meaning::machine_place)) {
     if (stated != nullptr) modes_.motion = stated;
-    return words_.has_axes() ? move_to_machine_place() : void();
+    if (!words_.has_axes()) return;
+    move_to_machine_place();
+    return end_length_by(*by_machine);
   }
   const bool needs_feed =
       stated != nullptr && stated->meaning != Meaning::rapid && stated->meaning != Meaning::no_motion;

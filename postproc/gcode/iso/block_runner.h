@@ -51,6 +51,9 @@ class BlockRunner {
   /// Ends the knowledge of all that follows, because of a word or statement in a line.
   void lose_rest(const std::string& reason, std::size_t line);
 
+  /// Returns whether a block has the word that ends a program.
+  [[nodiscard]] bool has_end(const GcodeBlock& block) const;
+
   [[nodiscard]] const GcodeModes& modes() const { return modes_; }
   [[nodiscard]] std::size_t unit_line() const { return unit_line_; }
   /// Returns whether a length stands before the unit.
@@ -70,7 +73,10 @@ class BlockRunner {
   void take_modes();
   void take_code(const GcodeRow& row);
   void take_path_control(const GcodeRow& row);
+  void take_blending(const GcodeRow& row);
+  void take_lengths();
   void take_length(const GcodeRow& row);
+  [[nodiscard]] bool states_place_of_z() const;
   void begin_tip_control(const GcodeRow& row);
   void end_tip_control(const GcodeRow& row);
   void take_offset(const GcodeRow& row);
@@ -82,6 +88,7 @@ class BlockRunner {
   void move();
   void move_to_machine_place();
   void go_home(const GcodeRow& row);
+  void end_length_by(const GcodeRow& row);
   void go_by(const GcodeRow& row);
   void go_round(const GcodeRow& row, const Target& to);
   void drill(const GcodeRow& row);

@@ -48,8 +48,8 @@ void ProgramRun::run_macro(std::string_view flow) {
       GcodeBlock then;
       read_gcode_block(text, control_.syntax, variables_, then);
       if (then.error.empty() && then.words.empty() && then.flow.empty()) {
-        for (const GcodeAssignment& one : then.assignments) variables_.set(one.variable, one.value);
-        return;
+        lose_at_system_variable(then.assignments);
+        return assign(then.assignments);
       }
     }
   } else if (take_word(text, "WHILE")) {

@@ -177,11 +177,12 @@ void ProgramRun::run_o_loop(const std::string& label, const std::string& word, s
     const double times = value_of(rest);
     const auto end = find_o_word(label, "endrepeat", true);
     if (!end || !is_known(times) || !is_rest_empty(rest)) return lose("O" + label + " repeat is not read");
-    if (times < 1) {
+    const double passes = std::round(times);  // as the interpreter does: to the nearest
+    if (passes < 1) {
       next_ = *end + 1;
       return;
     }
-    loops_.push_back({label, calls_.size(), static_cast<long long>(std::min(times, 1e9))});
+    loops_.push_back({label, calls_.size(), static_cast<long long>(std::min(passes, 1e9))});
     return;
   }
   if ((word == "break" || word == "continue") && is_rest_empty(rest)) {

@@ -33,6 +33,7 @@ void ProgramRun::run_start(std::string_view blocks) {
     read_gcode_block(blocks.substr(0, end), control_.syntax, variables_, block_);
     motion_.begin_block(0, 0);
     if (!block_.flow.empty()) block_.error = "the blocks at the start change the order of blocks";
+    if (!block_.assignments.empty()) block_.error = "the blocks at the start set variables";
     static_cast<void>(runner_.run(block_, 0));
     blocks.remove_prefix(std::min(end + 1, blocks.size()));
   }
@@ -70,9 +71,23 @@ void ProgramRun::run_block() {
     if (!block_.words.empty() || !block_.assignments.empty()) return lose("words before a statement of program flow");
     return control_.syntax.has_o_words ? run_o_word(block_.flow) : run_macro(block_.flow);
   }
+  lose_at_system_variable(block_.assignments);
   const NextBlock next = runner_.run(block_, main_->number(main_at_));
-  for (const GcodeAssignment& one : block_.assignments) variables_.set(one.variable, one.value);
+  assign(block_.assignments);
+  const bool is_lost_end = motion_.is_rest_unknown() && calls_.empty() && runner_.has_end(block_);
+  if (is_lost_end) end_line_ = main_->number(main_at_);
   follow(next);
+}
+
+// The control changes an offset, a length or another value of its own by it.
+void ProgramRun::lose_at_system_variable(const std::vector<GcodeAssignment>& assignments) {
+  for (const GcodeAssignment& one : assignments)
+    if (is_system_variable(one.variable, control_.syntax))
+      return lose("#" + one.variable + ", a variable of the control, is set");
+}
+
+void ProgramRun::assign(const std::vector<GcodeAssignment>& assignments) {
+  for (const GcodeAssignment& one : assignments) variables_.set(one.variable, one.value);
 }
 
 // On controls whose programs have numbers, O with the number begins a program.
@@ -106,9 +121,8 @@ void ProgramRun::follow(const NextBlock& next) {
       return call(next);
     case NextBlock::Kind::back:
       if (!calls_.empty()) return end_call();
-      has_ended_ = true;  // the program would begin again
-      end_line_ = main_->number(main_at_);
-      return;
+      has_ended_ = begins_again_ = true;
+      return lose("M99 in the main program begins it again, and its later passes are not read; expected M30");
   }
 }
 

@@ -30,6 +30,8 @@ class ProgramRun {
 
   /// Returns the line of the block that ends the program; 0: it has none.
   [[nodiscard]] std::size_t end_line() const { return end_line_; }
+  /// Returns whether the program begins again at its end.
+  [[nodiscard]] bool begins_again() const { return begins_again_; }
 
  private:
   /// Program beside the file, as read.
@@ -55,6 +57,8 @@ class ProgramRun {
   [[nodiscard]] bool is_left_out();
   [[nodiscard]] bool names_program(std::string_view line);
   void follow(const NextBlock& next);
+  void lose_at_system_variable(const std::vector<GcodeAssignment>& assignments);
+  void assign(const std::vector<GcodeAssignment>& assignments);
   void call(const NextBlock& next);
   void begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals);
   void end_call();
@@ -91,7 +95,7 @@ class ProgramRun {
   std::vector<Loop> loops_;
   std::map<std::string, BesideText> besides_;
   std::size_t end_line_ = 0;
-  bool has_ended_ = false;
+  bool has_ended_ = false, begins_again_ = false;
 };
 
 }  // namespace gouge

@@ -76,7 +76,7 @@ ProgramFacts run_iso(const ControlTable& control, const ProgramInput& input) {
   facts.offset_line = runner.offset_line();
   facts.end_line = run.end_line();
   facts.error = runner.error();
-  if (facts.end_line == 0 && text.has_end_mark()) facts.end_line = text.number(text.end());
+  if (facts.end_line == 0 && text.has_end_mark() && !run.begins_again()) facts.end_line = text.number(text.end());
   return facts;
 }
 

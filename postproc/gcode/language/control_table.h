@@ -44,7 +44,7 @@ enum class GcodeMeaning : std::uint8_t {
   tilted_plane,      ///< later positions are in a tilted frame
   align_to_plane,    ///< the rotary joints align the tool with the tilted frame
   tilted_plane_off,  ///< ends all frames of the program
-  blending,          ///< later motions leave the path by P; without P by an unknown distance
+  blending,  ///< later motions leave the path by the words GcodeRow::distance; without them by an unknown distance
   tool_change,
   selects_tool,
   program_end,
@@ -83,6 +83,9 @@ struct GcodeRow {
   bool takes_axes = true;        ///< axis words may be in its block
   std::string_view note = {};    ///< reason of not_checked
   std::string_view source = {};  ///< manual and page
+  bool cancels_length = false;   ///< its motion of Z, or of all axes, ends the tool length
+  /// Of blending: words whose sum is the distance. The first must be above 0; else the distance is not known.
+  std::string_view distance = {};
 };
 
 /// Motions of a cycle after the rapid to R.
@@ -115,6 +118,8 @@ struct GcodeSyntax {
   bool has_named_variables = false;    ///< #<name>
   bool binds_and_as_times = false;     ///< AND has the rank of *, OR and XOR that of + (Fanuc)
   bool has_equal_tolerance = false;    ///< EQ and NE compare within a tolerance (LinuxCNC)
+  long long first_system_variable =
+      1000;  ///< variables from this number are those of the control: offsets, lengths, timers
 };
 
 /// A control whose programs have words of one letter (ISO 6983).
@@ -124,9 +129,10 @@ struct ControlTable {
   GcodeSyntax syntax;
   std::span<const GcodeRow> rows;  ///< ascending by letter and number
   std::span<const GcodeCycle> cycles;
-  std::string_view always;          ///< addresses that every block may have
-  std::string_view start;           ///< blocks in force at the start by the manual; others must be stated
-  bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle
+  std::string_view always;              ///< addresses that every block may have
+  std::string_view start;               ///< blocks in force at the start by the manual; others must be stated
+  std::string_view length_motion = {};  ///< parameter that states whether a code of length moves Z; empty: it does not
+  bool has_default_length = false;      ///< G43 without H takes the length of the tool in the spindle
   bool winds_as_programmed =
       false;  ///< an absolute rotary word states the turn too; else a parameter may shorten the way
   bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it

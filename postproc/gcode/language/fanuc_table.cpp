@@ -11,6 +11,9 @@ using Group = ModalGroup;
 constexpr std::string_view kFanucCodes =
     "Fanuc, B-64484EN (machining centre system), lists of G codes; A-79294E for G43.4";
 
+// "When G53, G28, or G30 is specified in tool length offset mode, tool length offset vectors are canceled."
+constexpr std::string_view kFanucHome = "Fanuc B-63844EN, 14.1.2: G53, G28 and G30 in tool length offset mode";
+
 // Ascending by letter and number.
 constexpr auto kFanucRows = std::to_array<GcodeRow>({
     {'G', 0, rapid, Group::motion, "", true, "", kFanucCodes},
@@ -26,8 +29,8 @@ constexpr auto kFanucRows = std::to_array<GcodeRow>({
     {'G', 190, plane_yz, Group::plane, "", true, "", kFanucCodes},
     {'G', 200, inch, Group::unit, "", true, "", kFanucCodes},
     {'G', 210, mm, Group::unit, "", true, "", kFanucCodes},
-    {'G', 280, home, Group::none, "", true, "", kFanucCodes},
-    {'G', 300, home, Group::none, "", true, "", kFanucCodes},
+    {'G', 280, home, Group::none, "", true, "", kFanucHome, true},
+    {'G', 300, home, Group::none, "", true, "", kFanucHome, true},
     {'G', 400, harmless, Group::compensation, "", true, "", kFanucCodes},
     {'G', 410, not_checked, Group::compensation, "DH", true, "the path is compensated by the radius of the tool",
      kFanucCodes},
@@ -42,7 +45,7 @@ constexpr auto kFanucRows = std::to_array<GcodeRow>({
     {'G', 500, harmless, Group::none, "", true, "", kFanucCodes},
     {'G', 510, not_checked, Group::none, "IJKP", true, "later positions are scaled", kFanucCodes},
     {'G', 520, not_checked, Group::none, "", true, "the shift of later positions is not read", kFanucCodes},
-    {'G', 530, machine_place, Group::none, "", true, "", kFanucCodes},
+    {'G', 530, machine_place, Group::none, "", true, "", kFanucHome, true},
     {'G', 531, align_to_plane, Group::none, "P", false, "", kFanucCodes},
     {'G', 540, work_offset, Group::work_offset, "", true, "", kFanucCodes},
     {'G', 541, work_offset, Group::work_offset, "P", true, "", kFanucCodes},
@@ -129,6 +132,7 @@ const ControlTable& fanuc_table() {
       .cycles = kFanucCycles,
       .always = "FSTD",
       .start = "G54 G80",
+      .length_motion = "parameter 5006#6 (TOS)",
       .source = kFanucCodes,
   };
   return table;

@@ -10,6 +10,9 @@ using Group = ModalGroup;
 
 constexpr std::string_view kHaasCodes = "Haas, Mill Operator's Manual, G-codes and M-codes";
 
+// "G28 cancels tool length offsets for the following lines of code."
+constexpr std::string_view kHaasHome = "Haas, Mill Operator's Manual, G28 Return to Machine Zero Point";
+
 // Ascending by letter and number.
 constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 0, rapid, Group::motion, "", true, "", kHaasCodes},
@@ -23,8 +26,8 @@ constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 190, plane_yz, Group::plane, "", true, "", kHaasCodes},
     {'G', 200, inch, Group::unit, "", true, "", kHaasCodes},
     {'G', 210, mm, Group::unit, "", true, "", kHaasCodes},
-    {'G', 280, home, Group::none, "", true, "", kHaasCodes},
-    {'G', 300, home, Group::none, "", true, "", kHaasCodes},
+    {'G', 280, home, Group::none, "", true, "", kHaasHome, true},
+    {'G', 300, home, Group::none, "", true, "", kHaasHome, true},
     {'G', 400, harmless, Group::compensation, "", true, "", kHaasCodes},
     {'G', 410, not_checked, Group::compensation, "DH", true, "the path is compensated by the radius of the tool",
      kHaasCodes},
@@ -87,7 +90,7 @@ constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 1280, work_offset, Group::work_offset, "", true, "", kHaasCodes},
     {'G', 1290, work_offset, Group::work_offset, "", true, "", kHaasCodes},
     {'G', 1540, work_offset, Group::work_offset, "P", true, "", kHaasCodes},
-    {'G', 1870, blending, Group::path_control, "PE", false, "", kHaasCodes},
+    {'G', 1870, blending, Group::path_control, "PE", false, "", kHaasCodes, false, "E"},
     {'G', 2340, tip_control_on, Group::length, "H", true, "", kHaasCodes},
     {'G', 2530, align_to_plane, Group::none, "", false, "", kHaasCodes},
     {'G', 2540, turned_offset_on, Group::none, "", false, "", kHaasCodes},

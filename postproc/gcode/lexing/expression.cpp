@@ -207,7 +207,7 @@ class Evaluator {
   double variable() {
     ++c_.at;
     const std::string name = read_variable_name(c_, syntax_, variables_);
-    return name.empty() ? kUnknownValue : variables_.value(name);
+    return name.empty() || is_system_variable(name, syntax_) ? kUnknownValue : variables_.value(name);
   }
 
   double function() {
@@ -325,6 +325,11 @@ double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVar
 
 double read_expression(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables) {
   return Evaluator(cursor, syntax, variables).whole();
+}
+
+bool is_system_variable(const std::string& name, const GcodeSyntax& syntax) {
+  const auto number = parse_integer(name);
+  return number && (*number == 0 || *number >= syntax.first_system_variable);
 }
 
 std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables) {

@@ -33,6 +33,10 @@ struct GcodeCursor {
 /// Reads an expression without brackets around it, which custom macros have on the right of an assignment.
 [[nodiscard]] double read_expression(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables);
 
+/// Returns whether a variable is one of the control: its value is not known, and setting it changes offsets, lengths or such.
+/// Source   LinuxCNC, G-Code Overview, Numbered parameters; Fanuc B-64484EN and Haas, Macros, system variables.
+[[nodiscard]] bool is_system_variable(const std::string& name, const GcodeSyntax& syntax);
+
 /// Reads the name of a variable behind its #: "101" or "<name>"; empty, with an error at the cursor: it is not known which
 /// variable is meant.
 [[nodiscard]] std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax,

@@ -5,7 +5,7 @@
 namespace gouge {
 
 bool GcodeVariables::is_local(const std::string& name) {
-  constexpr long long kLastLocal = 33;
+  constexpr long long kLastLocal = 30;
   if (name.starts_with('<')) return !name.starts_with("<_");
   const auto number = parse_integer(name);
   return number && *number >= 1 && *number <= kLastLocal;

@@ -18,7 +18,7 @@ class GcodeVariables {
   [[nodiscard]] double value(const std::string& name) const;
   void set(const std::string& name, double value) { scope_of(name)[name] = value; }
 
-  /// Begins a subprogram, which has local variables of its own: #1 to #33, and names without a leading underscore.
+  /// Begins a subprogram, which has local variables of its own: #1 to #30, and names without a leading underscore.
   void begin_call() { locals_.emplace_back(); }
   /// Ends it. Requires begin_call before it.
   void end_call() { locals_.pop_back(); }

@@ -73,6 +73,13 @@ class ProgramMotion {
   /// Applies the length of H; none: that of the tool in the spindle.
   void apply_length(std::optional<int> h);
   void cancel_length();
+  /// Returns the number of the length that is applied, 0 without one; none: it is not known.
+  [[nodiscard]] std::optional<int> applied_length() const {
+    if (length_ == Length::none) return 0;
+    return lost_length_.empty() ? length_number_ : std::nullopt;
+  }
+  /// Makes the length that is applied doubtful until another code states it; nothing is changed where none is applied.
+  void lose_length(const std::string& reason);
   /// Rapids without tool centre point control run straight on this control.
   void run_rapids_together() { are_rapids_together_ = true; }
   /// The program never applies a length: the work offset includes that of the first tool.
@@ -90,6 +97,7 @@ class ProgramMotion {
   /// Begins a doubt, with a reason for the user; a rest of the program that is not known keeps its first reason.
   void doubt(ProgramDoubt kind, std::string reason);
   void end_doubt(ProgramDoubt kind);
+  [[nodiscard]] bool has_doubt(ProgramDoubt kind) const { return !doubts_.at(static_cast<std::size_t>(kind)).empty(); }
   [[nodiscard]] bool is_rest_unknown() const { return !doubts_[0].empty(); }
 
   // Motions.
@@ -141,6 +149,7 @@ class ProgramMotion {
   template <typename Change>
   void change_state(const Change& change);
   void settle_length();
+  [[nodiscard]] std::string why_sideways() const;
   void add(Move& move, const AxisPlace& to, const Reached& reached, std::string reason);
   [[nodiscard]] bool is_approach(MoveKind kind, const AxisPlace& to) const;
   [[nodiscard]] bool turns_beyond_law(MoveKind kind, const AxisPlace& to) const;
@@ -169,6 +178,7 @@ class ProgramMotion {
   bool has_lengths_ = true;
   enum class Length : std::uint8_t { none, applied } length_ = Length::none;
   std::optional<int> length_number_;  // of H; none: of the tool
+  std::string lost_length_;           // why the length that was applied may be in force no more; empty: it is
   std::size_t tools_loaded_ = 0;
   std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
   bool are_rapids_together_ = false, has_unknown_step_ = false;

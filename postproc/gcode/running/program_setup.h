@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,9 @@ namespace gouge {
 
 /// Value of Toolpath::dialect of every program. The joints of such a path are those that the program states.
 inline constexpr std::string_view kProgramDialect = "gcode";
+
+/// Length of a tool that has offsets of other axes than Z too. They are not read, so its tip is not known.
+inline constexpr double kSidewaysLength = std::numeric_limits<double>::quiet_NaN();
 
 /// Zero of a work offset in machine coordinates, with all joints at 0: mm, and degrees of A, B and C.
 struct WorkOffset {
@@ -41,7 +45,7 @@ struct ProgramSetup {
   std::shared_ptr<const Machine> machine;     ///< null: a program without rotary words
   std::optional<RigidTransform> zero;         ///< maps part coordinates to machine coordinates
   std::map<std::string, WorkOffset> offsets;  ///< by name: "G54", "G54.1P3"
-  std::map<int, double> lengths_mm;           ///< length of each tool by its number, and of H
+  std::map<int, double> lengths_mm;           ///< length of each tool by its number, and of H; NaN: kSidewaysLength
   std::optional<double> tool_length_mm;       ///< of every tool
   std::string start;                          ///< blocks in force at the start, in the language of the control
   std::vector<std::string> tip_control_ends;  ///< codes that end tool centre point control: "G255"

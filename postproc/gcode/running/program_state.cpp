@@ -41,7 +41,8 @@ void ProgramMotion::change_state(const Change& change) {
     xyz = after.coordinates(before.tip(xyz));
   } else if (is_known_now && is_turned_alike) {
     xyz += after.linear.partialPivLu().solve(Vec3(before.origin - after.origin));  // each coordinate apart
-  } else if (is_turned_alike && may_be_along_z(before) && may_be_along_z(after) && offset_doubt.empty()) {
+  } else if (is_turned_alike && may_be_along_z(before) && may_be_along_z(after) && offset_doubt.empty() &&
+             why_sideways().empty()) {
     // A length that is not known leaves the coordinates across it.
     xyz += after.linear.partialPivLu().solve(Vec3(before.origin - after.origin));
     xyz.z() = AxisPlace::kUnknownCoordinate;
@@ -181,6 +182,16 @@ void ProgramMotion::align_to_plane() {
   is_map_current_ = false;
 }
 
+std::string ProgramMotion::why_sideways() const {
+  for (const std::optional<int> number : {tool_number(), length_ == Length::none ? std::nullopt : length_number_}) {
+    const auto found = number ? setup_.lengths_mm.find(*number) : setup_.lengths_mm.end();
+    if (found != setup_.lengths_mm.end() && std::isnan(found->second))
+      return "the tool table moves T" + std::to_string(*number) +
+             " along or about other axes than Z, which is not read; expected offsets of Z alone in --tool-lengths";
+  }
+  return {};
+}
+
 // Finds the length that the control applies, and the true one. Where they are equal, neither need be known on a machine
 // whose head does not turn: the program states the tip.
 void ProgramMotion::settle_length() {
@@ -192,7 +203,8 @@ void ProgramMotion::settle_length() {
                                       : "the tool";
   state_.tool_length_mm = true_length.value_or(0);
   state_.excess_length_mm = 0;
-  state_.open_length.clear();
+  state_.open_length = why_sideways();
+  if (!state_.open_length.empty()) return;
   if (length_ == Length::none) {
     if (!has_lengths_) {
       if (tools_loaded_ > 1) state_.open_length = "the program changes the tool and applies no length; expected G43";
@@ -207,6 +219,10 @@ void ProgramMotion::settle_length() {
   const bool needs_length = setup_.machine != nullptr && has_rotary_head(*setup_.machine);
   if (needs_length && !true_length && state_.tip_control == TipControl::off)
     state_.open_length = "the length of " + name + " is not given; expected --tool-lengths or --tool-length";
+  if (!lost_length_.empty()) {
+    state_.open_length = lost_length_;
+    return;
+  }
   // A tool change does not apply the length of the new tool.
   const std::optional<int> applied = length_number_;
   if (!applied && length_tool_ != tool_)
@@ -242,6 +258,7 @@ void ProgramMotion::apply_length(std::optional<int> h) {
   change_state([&] {
     length_ = Length::applied;
     length_number_ = h ? h : tool_number();
+    lost_length_.clear();
     length_tool_ = tool_;
     settle_length();
   });
@@ -251,6 +268,15 @@ void ProgramMotion::cancel_length() {
   change_state([&] {
     length_ = Length::none;
     length_number_.reset();
+    lost_length_.clear();
+    settle_length();
+  });
+}
+
+void ProgramMotion::lose_length(const std::string& reason) {
+  if (length_ == Length::none) return;
+  change_state([&] {
+    lost_length_ = reason;
     settle_length();
   });
 }

@@ -168,7 +168,7 @@ TEST(LibraryCheck, FollowsTheMachineAndItsLaws) {
 TEST(LibraryCheck, ReadsAProgramAsItsMachineRunsIt) {
   const std::string file = testing::TempDir() + "turn.ngc";
   // Around the corner of the block without tool centre point control, and straight through it with.
-  std::ofstream(file) << "G21 G90 G17 G94\n#<way>=1\nG0 X60 Y0 Z-8 A0 C0\nG1 C90 F500\nM2\n";
+  std::ofstream(file) << "G21 G90 G17 G94 G61\n#<way>=1\nG0 X60 Y0 Z-8 A0 C0\nG1 C90 F500\nM2\n";
   ProgramOptions options;
   options.machine = "preset:linuxcnc-xyzac-trt";
   options.joint_points = {"A=0,0,-50", "C=0,0,0"};
@@ -182,7 +182,7 @@ TEST(LibraryCheck, ReadsAProgramAsItsMachineRunsIt) {
   check_options.joint_points = options.joint_points;
   const Report free = check(path, block(), ball(), check_options);
   EXPECT_EQ(free.state()[1], State::clean) << free.text();
-  std::ofstream(file) << "G21 G90 G17 G94\nM428\nG0 X60 Y0 Z-8 A0 C0\nG1 X0 Y60 F500\nM2\n";
+  std::ofstream(file) << "G21 G90 G17 G94 G61\nM428\nG0 X60 Y0 Z-8 A0 C0\nG1 X0 Y60 F500\nM2\n";
   const Report straight = check(Path::read_program(file, options), block(), ball(), check_options);
   EXPECT_EQ(straight.state()[1], State::gouge) << straight.text();
   options.control = "none";

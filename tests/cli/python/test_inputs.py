@@ -194,7 +194,7 @@ def test_everything_has_a_docstring():
 
 def test_a_program_is_read_as_its_control_runs_it(tmp_path):
     file = tmp_path / "p.ngc"
-    file.write_text("G21 G90 G17 G94\nG0 X0 Y0 Z5\nG1 Z1 F100\nM2\n")
+    file.write_text("G21 G90 G17 G94 G61\nG0 X0 Y0 Z5\nG1 Z1 F100\nM2\n")
     path = gougecheck.read_program(file, control="linuxcnc")
     assert np.allclose(path.tips, [[0, 0, 5], [0, 0, 1]])
     with pytest.raises(TypeError, match="read_program"):

@@ -33,6 +33,7 @@ inline std::shared_ptr<const Machine> trunnion() {
 inline ReadOutcome read_program(const std::string& text, const std::string& control, ProgramSetup setup = {},
                                 std::vector<std::string> harmless = {}) {
   setup.control = control;
+  if (control == "linuxcnc") setup.start.insert(0, "G61\n");  // it begins with G64
   return read_gcode("program.nc", SourceText(text), {std::move(setup), std::nullopt, std::move(harmless), ""}, {});
 }
 

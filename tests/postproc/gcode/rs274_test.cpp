@@ -158,8 +158,8 @@ std::string number_text(Scatter& random, double half) {
 /// A program of motions, arcs, cycles, frames and expressions.
 std::string generated(Scatter& random) {
   const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random.next() % count); };
-  std::string text = "G21 G90 G17 G40 G49 G94 G98\nG0 X" + number_text(random, 50) + " Y" + number_text(random, 50) +
-                     " Z" + fixed_text(20 + random.in(0, 5), 3) + "\nF500\n";
+  std::string text = "G21 G90 G17 G40 G49 G94 G98 G61\nG0 X" + number_text(random, 50) + " Y" +
+                     number_text(random, 50) + " Z" + fixed_text(20 + random.in(0, 5), 3) + "\nF500\n";
   bool is_absolute = true;
   const std::size_t blocks = 5 + pick(25);
   for (std::size_t i = 0; i < blocks; ++i) {

@@ -45,10 +45,10 @@ TEST(GcodeTraps, T02_MissingOffsetLengthAndPivot) {
   both.offsets["G54"] = {};
   both.offsets["G55"].xyz_mm = {1, 2, 3};
   expect_checked(two, "linuxcnc", both);
-  expect_open(fanuc("G49\nG1 X5. F9.\n"), "fanuc", "--tool-length");
+  expect_open(fanuc("G49 G0 Z20.\nG1 X5. F9.\n"), "fanuc", "--tool-length");
   ProgramSetup length;
   length.tool_length_mm = 100;
-  expect_checked(fanuc("G49\nG1 X5. F9.\n"), "fanuc", length);
+  expect_checked(fanuc("G49 G0 Z20.\nG1 X5. F9.\n"), "fanuc", length);
   expect_open(fanuc("G43 H2\nG1 X5. F9.\n"), "fanuc", "H2 is applied to T1");
   const std::string turned = "G21 G90 G0 X0 Y0 Z0 A0 C0\nG1 A30 F9\nM2\n";
   expect_open(turned, "linuxcnc", "--joint-point", on(machine_of("linuxcnc-xyzac-trt")));

@@ -63,7 +63,8 @@ TEST(SiemensMutations, NoDamagedWordMakesAProgramClean) {
 
 TEST(SiemensMutations, DamageOfACleanProgramMovesNothingUnseen) {
   // A word that is removed from these blocks changes the place, or makes the program open: never the same clean path.
-  const std::string program = kHead + "RTLION\nTRANS X10\nAROT Z90\nG1 X1 Y2 Z3 F100\nG2 X3 Y4 I1 J1\nTRANS\nG0 X1 Z90\nM30\n";
+  const std::string program =
+      kHead + "RTLION\nTRANS X10\nAROT Z90\nG1 X1 Y2 Z3 F100\nG2 X3 Y4 I1 J1\nTRANS\nG0 X1 Z90\nM30\n";
   const ReadOutcome whole = test::read_siemens(program);
   ASSERT_TRUE(can_be_clean(whole)) << test::reasons_of(whole);
   const std::string blocks = program.substr(kHead.size());

@@ -1,0 +1,162 @@
+// Effects of blocks that a reader easily overlooks: none of these programs can be clean, unless the fact is given.
+#include "tests/postproc/gcode/program.h"
+
+namespace gouge::test {
+namespace {
+
+constexpr const char* kStart = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG43 H1 G0 X0. Y0. Z80.\n";
+
+void expect_open(const std::string& text, const std::string& control, const std::string& reason,
+                 const ProgramSetup& setup = {}) {
+  const ReadOutcome outcome = read_program(text, control, setup);
+  EXPECT_FALSE(can_be_clean(outcome)) << text;
+  EXPECT_NE(reasons_of(outcome).find(reason), std::string::npos) << text << "\n" << reasons_of(outcome);
+}
+
+void expect_checked(const std::string& text, const std::string& control, const ProgramSetup& setup = {}) {
+  const ReadOutcome outcome = read_program(text, control, setup);
+  EXPECT_TRUE(can_be_clean(outcome)) << text << "\n" << reasons_of(outcome);
+}
+
+/// Facts of a machine whose G54 is its zero, with tools of 60 mm and 50 mm.
+ProgramSetup measured() {
+  ProgramSetup setup;
+  setup.offsets["G54"] = {};
+  setup.lengths_mm = {{1, 60}, {2, 50}};
+  setup.home_mm = Vec3(0, 0, 300);
+  return setup;
+}
+
+std::string program(const std::string& blocks) { return kStart + blocks + "M30\n"; }
+
+TEST(GcodeEffects, MotionsToTheMachineCancelTheLength) {
+  for (const char* block : {"G91 G28 Z0.\nG90\n", "G28 X0. Y0. Z90.\n", "G91 G30 Z0.\nG90\n"}) {
+    for (const char* control : {"haas", "fanuc"}) {
+      expect_open(program(std::string(block) + "G0 X5.\nG0 Z50.\n"), control, "cancels the tool length", measured());
+      const std::string again = program(std::string(block) + "G43 H1\nG0 X5.\nG0 Y0.\nG0 Z50.\nG1 Z40. F9.\n");
+      const Toolpath path = path_of_program(again, control, measured());
+      EXPECT_EQ(path.moves.back().not_checked_reason, "") << block << " on " << control;
+    }
+  }
+  expect_open(program("G53 Z300.\nG0 Z50.\n"), "fanuc", "G53 in line 4 cancels the tool length", measured());
+  expect_checked(program("G53 Z300.\nG0 Z50.\n"), "haas", measured());
+  expect_checked(program("G53 X30.\nG0 Z50.\n"), "fanuc", measured());
+  expect_checked(program("G91 G28 Z0.\nG90 G0 X5.\nG0 Z50.\n"), "linuxcnc", measured());
+}
+
+TEST(GcodeEffects, ALengthThatIsCancelledStaysSoInTheNextTool) {
+  expect_open(program("G91 G28 Z0.\nG90 T2 M6\nG0 X5. Y0. Z20.\nG1 X6. F9.\n"), "haas", "cancels the tool length",
+              measured());
+  expect_checked(program("G91 G28 Z0.\nG90 T2 M6\nG43 H2\nG0 X5. Y0. Z20.\nG1 X6. F9.\n"), "haas", measured());
+}
+
+TEST(GcodeEffects, VariablesOfTheControlChangeItsOffsetsAndLengths) {
+  for (const char* control : {"haas", "fanuc"}) {
+    for (const char* variable : {"#5221", "#2001", "#11001", "#7001", "#1000"})
+      expect_open(program(std::string(variable) + "=10.\nG1 X5. F9.\n"), control, std::string(variable) + ",",
+                  measured());
+    expect_open(program("#100=5221\n#[#100]=10.\nG1 X5. F9.\n"), control, "line 5 is not understood: #5221",
+                measured());
+    expect_open(program("IF [1 EQ 1] THEN #5221=10.\nG1 X5. F9.\n"), control, "#5221", measured());
+    expect_open(program("G1 X#3001 F9.\n"), control, "the value of X", measured());
+    expect_checked(program("#999=5.\nG1 X#999 F9.\n"), control, measured());
+  }
+  expect_open(program("#5241=10\nG1 X5 F9\n"), "linuxcnc", "#5241,", measured());
+  expect_checked(program("#5000=5\nG1 X#5000 F9\n"), "linuxcnc", measured());
+  ProgramSetup setup = measured();
+  setup.start = "#5221=10.\n";
+  expect_open(program("G1 X5. F9.\n"), "haas", "set variables", setup);
+}
+
+TEST(GcodeEffects, LinuxcncBeginsWithoutATolerance) {
+  const std::string plain = "G17 G21 G90 G94\nG0 X0 Y0 Z1\nG1 X10 F5000\nG1 Y10\nM2\n";
+  const auto read = [](const std::string& text, ProgramSetup setup) {
+    setup.control = "linuxcnc";
+    return read_gcode("program.ngc", SourceText(text), {std::move(setup), std::nullopt, {}, ""}, {});
+  };
+  const ReadOutcome outcome = read(plain, {});
+  EXPECT_FALSE(can_be_clean(outcome));
+  EXPECT_NE(reasons_of(outcome).find("--start G61 or --tip-tolerance"), std::string::npos) << reasons_of(outcome);
+  ProgramSetup told;
+  told.tip_tolerance_mm = 0.02;
+  EXPECT_TRUE(can_be_clean(read(plain, told)));
+  ProgramSetup exact;
+  exact.start = "G61\n";
+  EXPECT_TRUE(can_be_clean(read(plain, exact)));
+  for (const char* block : {"G61\n", "G61.1\n"}) EXPECT_TRUE(can_be_clean(read(block + plain, {}))) << block;
+}
+
+TEST(GcodeEffects, DistancesOfSmoothingAreThoseOfTheControl) {
+  const auto smoothed = [](const std::string& block) {
+    return "G21 G90 G94 G17\n" + block + "\nG0 X0. Y0. Z1.\nG1 X10. F100.\nM2\n";
+  };
+  ProgramSetup setup;
+  setup.are_joint_rapids_straight = true;
+  expect_open(smoothed("G64 P0"), "linuxcnc", "an unknown distance");
+  expect_open(smoothed("G64 Q0.5"), "linuxcnc", "an unknown distance");
+  expect_open(smoothed("G187 P1"), "haas", "an unknown distance", setup);
+  setup.tip_tolerance_mm = 0.02;
+  expect_checked(smoothed("G64 P0"), "linuxcnc", setup);
+  expect_checked(smoothed("G64 P0.01 Q0.01"), "linuxcnc", setup);
+  expect_open(smoothed("G64 P0.01 Q0.5"), "linuxcnc", "by 0.51 mm", setup);
+  expect_open(smoothed("G64 Q0.5"), "linuxcnc", "an unknown distance", setup);
+  expect_open(smoothed("G187 E0.5"), "haas", "by 0.5 mm", setup);
+  expect_open(smoothed("G187 P3 E0.5"), "haas", "by 0.5 mm", setup);
+  expect_checked(smoothed("G187 P3 E0.02"), "haas", setup);
+}
+
+TEST(GcodeEffects, CodesOfLengthMayMoveZOnFanuc) {
+  for (const char* block : {"G49\n", "G43 H2\n", "G49 G91 G0 Z-21.\n", "G49 G0 X5.\n", "G49\nG0 Z90.\n"}) {
+    expect_open(program(block), "fanuc", "parameter 5006#6", measured());
+    expect_checked(program(block), "haas", measured());
+  }
+  for (const char* block : {"G49 G0 Z90.\nG1 X5. F9.\n", "G43 H1\nG0 X5.\n", "G43 H2 Z70.\nG1 X5. F9.\n"})
+    expect_checked(program(block), "fanuc", measured());
+}
+
+TEST(GcodeEffects, M99InTheMainProgramBeginsItAgain) {
+  for (const char* control : {"haas", "fanuc"}) {
+    const ReadOutcome outcome =
+        read_program("%\nO0001\n" + std::string(kStart) + "G1 X5. F9.\nM99\n%\n", control, measured());
+    EXPECT_NE(reasons_of(outcome).find("begins it again"), std::string::npos) << reasons_of(outcome);
+    ASSERT_TRUE(outcome.toolpath.has_value());
+    for (const Assumption& fact : outcome.toolpath->assumptions) {
+      if (fact.subject == Subject::completeness) {
+        EXPECT_EQ(fact.basis, Basis::unknown);
+      }
+    }
+  }
+}
+
+TEST(GcodeEffects, SubprogramsOfLinuxcncHaveThirtyVariablesOfTheirOwn) {
+  const std::string start = "G17 G21 G90 G94\nG0 X0 Y0 Z10\n";
+  const auto after_call = [&](const std::string& variable) {
+    return path_of_program(
+        start + variable + "=5\no100 sub\n" + variable + "=9\no100 endsub\no100 call\nG1 X" + variable + " F100\nM2\n",
+        "linuxcnc");
+  };
+  expect_tip(after_call("#31").moves.back(), 9, 0, 10);
+  expect_tip(after_call("#30").moves.back(), 5, 0, 10);
+}
+
+TEST(GcodeEffects, RepeatRoundsToTheNearest) {
+  for (const auto& [count, depth] : {std::pair{"0.3/0.1", 3}, {"2.4", 2}, {"2.5", 3}, {"0.4", 0}}) {
+    const Toolpath path = path_of_program(
+        "G17 G21 G94 G90\nG0 X0 Y0 Z0\nG91\no1 repeat [" + std::string(count) + "]\nG1 Z-1 F100\no1 endrepeat\nM2\n",
+        "linuxcnc");
+    EXPECT_EQ(path.moves.size(), static_cast<std::size_t>(depth) + 1) << count;
+  }
+}
+
+TEST(GcodeEffects, OffsetsOfAToolBesideItsAxisAreNotRead) {
+  ProgramSetup setup = measured();
+  setup.lengths_mm[1] = kSidewaysLength;
+  setup.tool_length_mm = 60;
+  const std::string text = "G17 G21 G90 G94\nT1 M6\nG43 H2\nG0 X0 Y0 Z80\nG1 X5 Z9 F100\nM2\n";
+  expect_open(text, "linuxcnc", "other axes than Z", setup);
+  expect_open("G17 G21 G90 G94\nT2 M6\nG43 H1\nG0 X0 Y0 Z80\nG1 X5 F100\nM2\n", "linuxcnc", "other axes than Z", setup);
+  expect_checked("G17 G21 G90 G94\nT2 M6\nG43 H2\nG0 X0 Y0 Z80\nM2\n", "linuxcnc", setup);
+}
+
+}  // namespace
+}  // namespace gouge::test
