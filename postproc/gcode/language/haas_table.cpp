@@ -159,7 +159,7 @@ const ControlTable& haas_table() {
       .cycles = kHaasCycles,
       .always = "FSTD",
       .start = "G54 G80 G98",
-      .winds_as_programmed = true,
+
       .has_tip_frame_of_table = true,
       .source = kHaasCodes,
   };
