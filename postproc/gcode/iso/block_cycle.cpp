@@ -31,11 +31,11 @@ void BlockRunner::drill(const GcodeRow& row) {
 
 // Times that the block drills. None: L0 or K0, or no whole number.
 std::optional<int> BlockRunner::times_of_cycle() {
-  constexpr int kMostTimes = 10'000;
+  constexpr int kMaxTimes = 10'000;
   for (const char letter : {'L', 'K'}) {
     if (!words_.has(letter)) continue;
     const auto times = words_.integer(letter);
-    return times && *times >= 1 && *times <= kMostTimes ? times : std::nullopt;
+    return times && *times >= 1 && *times <= kMaxTimes ? times : std::nullopt;
   }
   return 1;
 }

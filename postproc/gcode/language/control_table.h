@@ -85,7 +85,7 @@ struct GcodeRow {
   std::string_view note = {};    ///< reason of not_checked
   std::string_view source = {};  ///< manual and page
   bool cancels_length = false;   ///< its motion of Z, or of all axes, ends the tool length
-  /// Of blending: words whose sum is the distance. The first must be above 0; else the distance is not known.
+  /// Words of blending whose sum is the distance. The first must be above 0; else the distance is not known.
   std::string_view distance = {};
 };
 
