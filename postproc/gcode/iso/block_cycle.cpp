@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 
+#include "lib/base/number_text.h"
 #include "postproc/gcode/iso/block_runner.h"
 
 // Drilling cycles as the motions that the control makes. Pecks are on the line of the hole.
@@ -20,19 +22,42 @@ void BlockRunner::drill(const GcodeRow& row) {
   Target at = target();
   if (error_) return;
   at.place.xyz.z() = motion_.place().xyz.z();
-  const int times = words_.has('L')   ? words_.integer('L').value_or(0)
-                    : words_.has('K') ? words_.integer('K').value_or(0)
-                                      : 1;
-  if (!modes_.has_feed) at.open = "no feed is stated, so the control refuses the cycle; expected F before it";
-  if (times < 1 || (times > 1 && is_incremental)) at.open = "the number of times of the cycle is not understood";
-  if (!cycle_.r_mm || !cycle_.z_mm) at.open = "the cycle has no R or no Z";
-  if (!modes_.retracts_to_start) at.open = "nothing states G98 or G99 before the cycle; expected --start G98";
-  if (!modes_.plane || *modes_.plane != PlaneAxes{0, 1, 2}) at.open = "the cycle is not in the plane of G17";
-  if (cycle->form == DrillForm::not_checked) at.open = "the cycle moves across the hole, or by hand";
-  drill_at(*cycle, at);
+  const int times = times_of_cycle().value_or(0);
+  cycle_.times = is_incremental ? times : std::min(times, 1);  // the same hole again is the same motion
+  if (at.open.empty()) at.open = why_not_drilled(*cycle, cycle_.times);
+  const Vec3 step = is_incremental ? Vec3(at.place.xyz - motion_.place().xyz) : Vec3(Vec3::Zero());
+  drill_at(*cycle, at, step);
 }
 
-void BlockRunner::drill_at(const GcodeCycle& cycle, const Target& at) {
+// Times that the block drills. None: L0 or K0, or no whole number.
+std::optional<int> BlockRunner::times_of_cycle() {
+  constexpr int kMaxTimes = 10'000;
+  for (const char letter : {'L', 'K'}) {
+    if (!words_.has(letter)) continue;
+    const auto times = words_.integer(letter);
+    return times && *times >= 1 && *times <= kMaxTimes ? times : std::nullopt;
+  }
+  return 1;
+}
+
+std::string BlockRunner::why_not_drilled(const GcodeCycle& cycle, int times) {
+  if (cycle.form == DrillForm::not_checked) return "the cycle moves across the hole, or by hand";
+  if (!modes_.plane || *modes_.plane != PlaneAxes{0, 1, 2}) return "the cycle is not in the plane of G17";
+  if (!modes_.retracts_to_start) return "nothing states G98 or G99 before the cycle; expected --start G98";
+  if (!cycle_.r_mm || !cycle_.z_mm) return "the cycle has no R or no Z";
+  if (!modes_.has_feed) return "no feed is stated, so the control refuses the cycle; expected F before it";
+  const char letter = words_.has('L') ? 'L' : 'K';
+  if (times < 1)
+    return std::string(1, letter) + " of the cycle is " +
+           (is_known(words_.value(letter)) ? exact_text(words_.value(letter)) : "not known") +
+           ", which is not read; expected a whole number from 1";
+  const bool counts_from_elsewhere = std::abs(motion_.place().xyz.z() - cycle_.start_mm) > 0;
+  if (modes_.is_absolute == false && index_.control().cycles_count_from_start && counts_from_elsewhere)
+    return "R of the cycle counts from the level at which it began, which is not the present one; expected G98 or G90";
+  return {};
+}
+
+void BlockRunner::drill_at(const GcodeCycle& cycle, const Target& at, const Vec3& step_mm) {
   const bool is_incremental = modes_.is_absolute == false;
   const double level = motion_.place().xyz.z();
   const double r = cycle_.r_mm.value_or(kUnknownValue) + (is_incremental ? level : 0);
@@ -40,17 +65,27 @@ void BlockRunner::drill_at(const GcodeCycle& cycle, const Target& at) {
   std::string open = at.open;
   if (open.empty() && !(z < r)) open = "the bottom of the hole is not below R";
   if (open.empty() && !(level >= r)) open = "the cycle begins below R, or at a level that is not known";
-  AxisPlace over = at.place, above = at.place, bottom = at.place, out = at.place;
-  above.xyz.z() = r;
-  bottom.xyz.z() = z;
-  out.xyz.z() = modes_.retracts_to_start.value_or(true) ? std::max(cycle_.start_mm, r) : r;
-  if (!open.empty()) return motion_.go_unchecked(MoveKind::feed, out, open);
+  const double out_mm = modes_.retracts_to_start.value_or(true) ? std::max(cycle_.start_mm, r) : r;
+  AxisPlace over = at.place;
+  if (!open.empty()) {
+    over.xyz += step_mm * std::max(cycle_.times - 1, 0);
+    over.xyz.z() = out_mm;
+    return motion_.go_unchecked(MoveKind::feed, over, open);
+  }
   const bool feeds_out = cycle.form == DrillForm::feed_in_feed_out || cycle.form == DrillForm::thread;
-  motion_.go(MoveKind::rapid, over);
-  motion_.go(MoveKind::rapid, above);
-  motion_.go(MoveKind::feed, bottom);
-  if (feeds_out) motion_.go(MoveKind::feed, above);
-  if (!feeds_out || out.xyz.z() > r) motion_.go(MoveKind::rapid, out);
+  for (int i = 0; i < cycle_.times; ++i) {
+    over.xyz.z() = motion_.place().xyz.z();
+    AxisPlace above = over, bottom = over, out = over;
+    above.xyz.z() = r;
+    bottom.xyz.z() = z;
+    out.xyz.z() = out_mm;
+    motion_.go(MoveKind::rapid, over);
+    motion_.go(MoveKind::rapid, above);
+    motion_.go(MoveKind::feed, bottom);
+    if (feeds_out) motion_.go(MoveKind::feed, above);
+    if (!feeds_out || out_mm > r) motion_.go(MoveKind::rapid, out);
+    over.xyz += step_mm;
+  }
 }
 
 }  // namespace gouge

@@ -21,7 +21,8 @@ Eigen::Matrix3d euler_rotation(double about_z, double about_x, double about_new_
 }  // namespace
 
 bool BlockRunner::states_place_of_z() const {
-  const bool is_in_force = modes_.motion != nullptr && words_.row_of(ModalGroup::motion) == nullptr;
+  const bool is_in_force = modes_.motion != nullptr && words_.row_of(ModalGroup::motion) == nullptr &&
+                           words_.row_of(ModalGroup::cycle_end) == nullptr;
   const bool is_cycle = words_.row_of(Code::cycle) != nullptr || (is_in_force && modes_.motion->meaning == Code::cycle);
   return words_.is_axis('Z') && modes_.is_absolute == true && !is_cycle;
 }

@@ -280,6 +280,8 @@ void BlockRunner::move() {
     if (begins) cycle_.start_mm = motion_.place().xyz.z();
     if (stated->meaning == Meaning::cycle && stated != modes_.motion) cycle_.r_mm = cycle_.z_mm = std::nullopt;
     modes_.motion = stated->meaning == Meaning::no_motion ? nullptr : stated;
+  } else if (words_.row_of(ModalGroup::cycle_end) != nullptr) {
+    modes_.motion = nullptr;
   }
   const GcodeRow* const row = modes_.motion;
   const bool has_arc_words = row != nullptr && words_.has_any("IJKR") &&

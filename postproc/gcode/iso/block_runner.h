@@ -38,6 +38,7 @@ struct GcodeModes {
 struct DrillState {
   std::optional<double> r_mm, z_mm, feed;
   double start_mm = 0;  ///< level at which the cycle began
+  int times = 1;        ///< of the block
 };
 
 /// Carries out the blocks of a program of a control, one after another.
@@ -92,7 +93,9 @@ class BlockRunner {
   void go_by(const GcodeRow& row);
   void go_round(const GcodeRow& row, const Target& to);
   void drill(const GcodeRow& row);
-  void drill_at(const GcodeCycle& cycle, const Target& at);
+  void drill_at(const GcodeCycle& cycle, const Target& at, const Vec3& step_mm);
+  [[nodiscard]] std::string why_not_drilled(const GcodeCycle& cycle, int times);
+  [[nodiscard]] std::optional<int> times_of_cycle();
 
   [[nodiscard]] Target target();
   [[nodiscard]] double number(char letter, double plain_increment_mm);

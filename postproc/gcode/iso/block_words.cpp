@@ -92,6 +92,10 @@ std::string BlockWords::take_codes(const GcodeBlock& block, const CodeIndex& ind
              " exclude each other in a block";
     of_group = row;
   }
+  const GcodeRow *const end = row_of(ModalGroup::cycle_end), *const motion = row_of(ModalGroup::motion);
+  if (end != nullptr && motion != nullptr && motion->meaning == GcodeMeaning::cycle)
+    return code_text(end->letter, end->number) + " and " + code_text(motion->letter, motion->number) +
+           " exclude each other in a block";
   return {};
 }
 
@@ -113,7 +117,7 @@ std::string BlockWords::take(const GcodeBlock& block, const CodeIndex& index, co
     if (needs_word && !has_any(row->words)) return code_text(row->letter, row->number) + " lacks its word";
   }
   const bool is_modal_cycle = modal != nullptr && modal->meaning == GcodeMeaning::cycle;
-  if (modal != nullptr && row_of(ModalGroup::motion) == nullptr)
+  if (modal != nullptr && row_of(ModalGroup::motion) == nullptr && row_of(ModalGroup::cycle_end) == nullptr)
     taken |= bits_of(words_of(index.control(), *modal)) | (is_modal_cycle ? bits_of("R") : 0U);
   constexpr std::string_view kAxes = "XYZABC";
   axes_ = present_ & bits_of(kAxes) & ~of_codes;
@@ -121,10 +125,17 @@ std::string BlockWords::take(const GcodeBlock& block, const CodeIndex& index, co
   if ((present_ & ~taken) == 0) return {};
   for (const GcodeWord& word : block.words) {
     if (word.letter == 'G' || word.letter == 'M' || (taken >> bit(word.letter) & 1U) != 0) continue;
-    return word_text(word) +
-           (is_axis_letter(word.letter) ? " has no meaning in this block" : " belongs to no code of the block");
+    return why_not_taken(word);
   }
   return {};
+}
+
+std::string BlockWords::why_not_taken(const GcodeWord& word) const {
+  if (!is_axis_letter(word.letter)) return word_text(word) + " belongs to no code of the block";
+  const auto row = std::ranges::find(rows_, false, &GcodeRow::takes_axes);
+  if (row == rows_.end()) return word_text(word) + " has no meaning in this block";
+  return "a motion beside " + code_text((*row)->letter, (*row)->number) + ", here " + word_text(word) +
+         ", is not read; expected a block of its own";
 }
 
 std::optional<int> BlockWords::integer(char letter) const {

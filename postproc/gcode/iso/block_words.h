@@ -54,10 +54,11 @@ class BlockWords {
   [[nodiscard]] bool is_axis(char letter) const { return (axes_ >> bit(letter) & 1U) != 0; }
 
  private:
-  static constexpr std::size_t kGroups = 13;
+  static constexpr std::size_t kGroups = 14;
   static unsigned bit(char letter) { return static_cast<unsigned>(letter - 'A'); }
 
   [[nodiscard]] std::string take_codes(const GcodeBlock& block, const CodeIndex& index);
+  [[nodiscard]] std::string why_not_taken(const GcodeWord& word) const;
 
   std::array<const GcodeWord*, 26> words_{};
   std::uint32_t present_ = 0, axes_ = 0;

@@ -136,7 +136,9 @@ void ProgramRun::call(const NextBlock& next) {
   if (inside) return begin_call(*main_, *inside, next.times, false);
   const ProgramText* const other = beside("O" + std::to_string(next.target));
   if (other == nullptr)
-    return lose("program O" + std::to_string(next.target) + " is neither in the file nor beside it");
+    return lose("program O" + std::to_string(next.target) +
+                " is neither in the file nor beside it; expected one file such as O" + std::to_string(next.target) +
+                ".nc");
   begin_call(*other, other->begin(), next.times, false);
 }
 

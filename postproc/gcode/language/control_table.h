@@ -15,7 +15,7 @@ enum class GcodeMeaning : std::uint8_t {
   feed,
   arc_clockwise,
   arc_counterclockwise,
-  no_motion,  ///< G80: ends a cycle; axis words need another motion code
+  no_motion,  ///< G80: ends a cycle; axis words need a motion code
   cycle,      ///< a drilling cycle of the table of cycles
   plane_xy,
   plane_zx,
@@ -68,7 +68,8 @@ enum class ModalGroup : std::uint8_t {
   cycle_return,
   work_offset,
   path_control,
-  frame
+  frame,
+  cycle_end  ///< G80 on controls where it is no motion code: it may stand beside one that is not a cycle
 };
 
 /// Number of a code, times ten: 434 is G43.4.
@@ -84,7 +85,7 @@ struct GcodeRow {
   std::string_view note = {};    ///< reason of not_checked
   std::string_view source = {};  ///< manual and page
   bool cancels_length = false;   ///< its motion of Z, or of all axes, ends the tool length
-  /// Of blending: words whose sum is the distance. The first must be above 0; else the distance is not known.
+  /// Words of blending whose sum is the distance. The first must be above 0; else the distance is not known.
   std::string_view distance = {};
 };
 
@@ -132,7 +133,9 @@ struct ControlTable {
   std::string_view always;              ///< addresses that every block may have
   std::string_view start;               ///< blocks in force at the start by the manual; others must be stated
   std::string_view length_motion = {};  ///< parameter that states whether a code of length moves Z; empty: it does not
-  bool has_default_length = false;      ///< G43 without H takes the length of the tool in the spindle
+  bool cycles_count_from_start =
+      true;                         ///< R of G91 counts from the level at which the cycle began; else from the present
+  bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle
   bool winds_as_programmed =
       false;  ///< an absolute rotary word states the turn too; else a parameter may shorten the way
   bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it

@@ -66,7 +66,7 @@ constexpr auto kFanucRows = std::to_array<GcodeRow>({
     {'G', 730, cycle, Group::motion, "", true, "", kFanucCodes},
     {'G', 740, cycle, Group::motion, "", true, "", kFanucCodes},
     {'G', 760, cycle, Group::motion, "", true, "", kFanucCodes},
-    {'G', 800, no_motion, Group::motion, "", true, "", kFanucCodes},
+    {'G', 800, no_motion, Group::cycle_end, "", true, "", kFanucCodes},
     {'G', 810, cycle, Group::motion, "", true, "", kFanucCodes},
     {'G', 820, cycle, Group::motion, "", true, "", kFanucCodes},
     {'G', 830, cycle, Group::motion, "", true, "", kFanucCodes},

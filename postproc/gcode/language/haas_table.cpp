@@ -51,7 +51,7 @@ constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 730, cycle, Group::motion, "", true, "", kHaasCodes},
     {'G', 740, cycle, Group::motion, "", true, "", kHaasCodes},
     {'G', 760, cycle, Group::motion, "", true, "", kHaasCodes},
-    {'G', 800, no_motion, Group::motion, "", true, "", kHaasCodes},
+    {'G', 800, no_motion, Group::cycle_end, "", true, "", kHaasCodes},
     {'G', 810, cycle, Group::motion, "", true, "", kHaasCodes},
     {'G', 820, cycle, Group::motion, "", true, "", kHaasCodes},
     {'G', 830, cycle, Group::motion, "", true, "", kHaasCodes},

@@ -108,6 +108,7 @@ const ControlTable& linuxcnc_table() {
       .cycles = kLinuxcncCycles,
       .always = "FST",
       .start = "G17 G40 G49 G54 G64 G80 G90 G91.1 G94",
+      .cycles_count_from_start = false,
       .has_default_length = true,
       .winds_as_programmed = true,
       .has_tip_frame_of_table = true,

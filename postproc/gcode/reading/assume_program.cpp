@@ -63,7 +63,7 @@ Assumption words_of_program(const Toolpath& path) {
   for (const auto& [word, times] : path.words_not_understood) words.push_back(word);
   fact.basis = Basis::unknown;
   fact.value = "not understood to its end";
-  fact.evidence = "a word that is not understood: " + listed(words);
+  fact.evidence = "not understood: " + listed(words);
   fact.remedy = "correct the program, or state words of your shop with --harmless-word";
   return fact;
 }

@@ -4,7 +4,7 @@ namespace gouge {
 
 void lose_program(const std::string& reason, std::size_t line, const ProgramInput& input) {
   if (input.motion.is_rest_unknown()) return;
-  ++input.path.words_not_understood[reason.substr(0, reason.find(' '))];
+  ++input.path.words_not_understood["line " + std::to_string(line) + ": " + reason];
   input.motion.doubt(ProgramDoubt::rest, "line " + std::to_string(line) + " is not understood: " + reason);
   input.path.notes.push_back(make_warning("gcode-word",
                                           reason +

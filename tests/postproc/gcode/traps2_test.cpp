@@ -158,5 +158,56 @@ TEST(GcodeEffects, OffsetsOfAToolBesideItsAxisAreNotRead) {
   expect_checked("G17 G21 G90 G94\nT2 M6\nG43 H2\nG0 X0 Y0 Z80\nM2\n", "linuxcnc", setup);
 }
 
+TEST(GcodeEffects, G80MayStandBesideAMotionCodeThatIsNoCycle) {
+  const std::string text = "G21 G94\nT1 M6\nG0 G17 G40 G49 G80 G90\nX0. Y0. Z10.\nG1 Z0.1 F100.\nM30\n";
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_checked(text, control);
+    expect_open(program("G80 G81 Z-1. R1. F9.\n"), control, "exclude each other");
+    expect_open(program("G0 G81 Z-1. R1. F9.\n"), control, "exclude each other");
+    expect_open(program("G80 X5.\n"), control, "without a motion code");
+    const Toolpath path = path_of_program(program("G81 G98 Z-1. R1. F9.\nG80 G0 X5.\nG1 Y5.\n"), control);
+    expect_tip(path.moves.back(), 5, 5, 80);
+  }
+  expect_open("G21 G17 G90\nG0 G80\nX0 Y0 Z0\nM2\n", "linuxcnc", "exclude each other");
+}
+
+TEST(GcodeEffects, CyclesRepeatBySteps) {
+  for (const auto& [control, word] : {std::pair{"haas", "L3"}, {"fanuc", "K3"}, {"linuxcnc", "L3"}}) {
+    const std::string text =
+        "G17 G21 G90 G94\nT1 M6\nG0 X0. Y0. Z10.\nG91 G99 G81 X5. R-8. Z-1.5 " + std::string(word) + " F100.\nM30\n";
+    const Toolpath path = path_of_program(text, control);
+    std::vector<double> bottoms;
+    for (const Move& move : path.moves) {
+      EXPECT_EQ(move.not_checked_reason, "") << control;
+      if (move.kind != MoveKind::feed) continue;
+      bottoms.push_back(move.end.tip.x());
+      EXPECT_NEAR(move.end.tip.z(), 0.5, 1e-9) << control;
+    }
+    EXPECT_EQ(bottoms, (std::vector<double>{5, 10, 15})) << control;
+  }
+  expect_open(program("G98 G81 X5. R2. Z-1.5 L0 F100.\n"), "haas", "L of the cycle is 0");
+  expect_open(program("G91 G99 G81 X5. R-8. Z-1.5 F100.\nX5.\n"), "haas", "R of the cycle counts");
+}
+
+TEST(GcodeEffects, MotionsBesideCodesThatEndOrCallAreNotRead) {
+  for (const char* code : {"M30", "M2", "M99", "M98 P5", "M6", "G4 P1."})
+    expect_open(
+        program(std::string("T1 Y5. ") + code + "\n"), "fanuc",
+        "a motion beside " + std::string(code).substr(0, std::string(code).find(' ')) + ", here Y5, is not read");
+}
+
+TEST(GcodeEffects, NamesTheWordAndItsLine) {
+  const ReadOutcome outcome = read_program("G17 G21 G90 G94\nG0 X0 Y0 Z10\nG1 X5 X10 F100\nM2\n", "linuxcnc");
+  ASSERT_TRUE(outcome.toolpath.has_value());
+  for (const Assumption& fact : outcome.toolpath->assumptions) {
+    if (fact.subject == Subject::statements) {
+      EXPECT_EQ(fact.evidence, "not understood: line 3: the word X occurs twice in the block");
+    }
+    if (fact.subject == Subject::completeness) {
+      EXPECT_EQ(fact.line, 4u);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gouge::test
