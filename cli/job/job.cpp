@@ -105,6 +105,7 @@ class JobLoader {
       ProgramSetup setup = *job_.options.reading.program;
       if (!a.tip_tolerance.empty()) setup.tip_tolerance_mm = job_.options.check.tube.tip_mm;
       setup.are_joint_rapids_straight = turn_law_called(a.joint_rapid_law) == TurnLaw::joint;
+      if (!(job_.options.tool_length_slack_mm > 0)) setup.tool_length_mm = job_.options.tool_length_mm;
       job_.options.reading.program = std::make_shared<const ProgramSetup>(std::move(setup));
       return true;
     }

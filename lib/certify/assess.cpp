@@ -79,7 +79,7 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
 /// Returns the largest coordinate of all meshes and of the stock along a direction.
 double top_along(const Vec3& axis, const CheckSetup& setup) {
   Box3 all;
-  for (const auto* meshes : {&setup.scene.scene->parts, &setup.scene.scene->fixtures}) all.extend(box_of(*meshes));
+  for (const PreparedObstacle& obstacle : setup.scene.obstacles()) all.extend(box_of(obstacle.meshes));
   if (setup.stock != nullptr) all.extend(Box3(setup.stock->solid.low(), setup.stock->solid.high()));
   double top = 0;
   for (int k = 0; k < 3; ++k) top += std::max(axis[k] * all.min()[k], axis[k] * all.max()[k]);

@@ -79,7 +79,7 @@ ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool
 
 /// Bounds the distance of the points of a cylinder from the tip.
 double reach_of(const ToolCylinder& cylinder) {
-  return std::hypot(cylinder.radius_mm, std::max(std::abs(cylinder.z_lo_mm), std::abs(cylinder.z_hi_mm)));
+  return Vec2(cylinder.radius_mm, std::max(std::abs(cylinder.z_lo_mm), std::abs(cylinder.z_hi_mm))).norm();
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct SiemensWord {
   Form form = Form::alone;
   double value = kUnknownValue;  ///< of Form::number
   std::string text;              ///< of a string: T="MILL 8"
+  std::string digits;            ///< of L, whose zeros count: L010
   SiemensMeasure measure = SiemensMeasure::modal;
   std::vector<SiemensArgument> arguments;  ///< of Form::call
 };

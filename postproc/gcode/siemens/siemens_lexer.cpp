@@ -60,7 +60,9 @@ class SiemensLexer {
     word.name = std::string(1, at(0));
     word.form = SiemensWord::Form::number;
     ++c_.at;
+    const std::size_t begin = c_.at;
     word.value = read_siemens_number(c_);
+    if (word.name == "L") word.digits = std::string(trim_blanks(c_.text.substr(begin, c_.at - begin)));
     if (!c_.error.empty()) c_.error = word.name + ": " + c_.error;
     if (word.name != "G" && word.name != "M") return;
     constexpr double kMaxCode = 99999;

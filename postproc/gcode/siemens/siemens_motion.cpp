@@ -145,6 +145,9 @@ double SiemensRunner::turned(const SiemensWord& word, std::size_t rotary, Target
       to.open = "machine data state the way of " + word.name + " to this angle; expected --rotary-turns as-programmed";
     return stated;
   }
+  // Source: Siemens, Axes and spindles: DC, ACP and ACN take values from 0 to 359.999 degrees.
+  if (!(word.value >= 0 && word.value < kTurn_deg))
+    to.open = word.name + " with DC, ACP or ACN takes an angle from 0 to 359.999 degrees";
   if (!is_known(before)) return stated;
   const double turn = std::remainder(way, kTurn_deg);
   const bool is_opposite = std::abs(turn) >= kHalfTurn_deg - kRounding_deg;

@@ -64,7 +64,8 @@ void SiemensRunner::take_smoothing_cycle(const SiemensWord& cycle) {
   blending.turn_deg = siemens_argument(cycle, 2, kUnknownValue);
 }
 
-// The tolerance of G642, G643 and the compressor may be one of each axis: the tool leaves its path by more.
+// The tolerance of G642, G643 and the compressor may be one of each axis: the tool leaves its path by more. Of ADIS and
+// ADISPOS the stated ones count.
 double SiemensRunner::path_bound() const {
   constexpr double kAxesTogether = 1.7320508075688774;  // square root of 3, rounded up
   const SiemensBlending& blending = modes_.blending;
@@ -74,9 +75,7 @@ double SiemensRunner::path_bound() const {
     case Mode::exact:
       return compressed;
     case Mode::distance:
-      return is_known(blending.distance_mm + blending.rapid_distance_mm)
-                 ? std::max(blending.distance_mm, blending.rapid_distance_mm) + compressed
-                 : kUnknownValue;
+      return std::fmax(blending.distance_mm, blending.rapid_distance_mm) + (is_known(compressed) ? compressed : 0);
     case Mode::tolerance:
       return together + compressed;
     case Mode::cycle:

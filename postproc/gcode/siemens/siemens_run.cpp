@@ -101,7 +101,17 @@ void SiemensRun::follow(const SiemensNext& next) {
   }
 }
 
+// An archive holds several programs, each behind its name: %_N_L10_SPF.
+bool SiemensRun::holds_program(const std::string& name) const {
+  for (std::size_t at = main_->begin(); at < main_->end(); ++at)
+    if (trim_blanks(main_->line(at)).starts_with("%_N_" + name + "_")) return true;
+  return false;
+}
+
 void SiemensRun::call(const SiemensNext& next) {
+  if (holds_program(next.program))
+    return lose("the file itself holds " + next.program +
+                ", and programs of archives are not read; expected a file each");
   Text* const text = beside(next.program);
   if (text == nullptr)
     return lose(next.program + " is not in the table of Siemens 840D, and no program of that name is beside the file");

@@ -115,7 +115,7 @@ std::string SiemensWords::take(const SiemensBlock& block, const std::vector<std:
   }
   if (const SiemensWord* const program = value("L"); program != nullptr) {
     if (!called_.empty() || !is_known(program->value)) return "L does not name a program that is called alone";
-    called_ = "L" + exact_text(program->value);
+    called_ = "L" + (program->digits.empty() ? exact_text(program->value) : program->digits);
   }
   return find_conflict();
 }

@@ -179,7 +179,6 @@ TEST(Units, TheOptionCountsWhereTheFileIsSilentAndMayNotContradictIt) {
 
 TEST(Foreign, FilesThatAreNoClDataAreNamed) {
   const std::vector<std::pair<std::string, std::string>> files = {
-      {"0 BEGIN PGM TEST MM\n1 L X+1 Y+2 FMAX\n", "is a Heidenhain program"},
       {"1.0 2.0 3.0\n4.0 5.0 6.0\n", "holds columns of numbers"},
       {"ISO-10303-21;\nHEADER;\n", "is a STEP file"},
       {"solid part\nfacet normal 0 0 1\n", "is an STL mesh"},
@@ -193,9 +192,13 @@ TEST(Foreign, FilesThatAreNoClDataAreNamed) {
 }
 
 TEST(Foreign, AProgramNeedsItsControl) {
-  const ReadOutcome outcome = read_toolpath("a", "%\nO1000\nG21 G90\nT1 M6\nG0 X1. Y2. Z3.\nG1 Z-1. F100\nM30\n%\n");
-  ASSERT_FALSE(outcome.toolpath);
-  EXPECT_EQ(outcome.errors.front().code, "gcode-control");
+  for (const std::string text :
+       {"%\nO1000\nG21 G90\nT1 M6\nG0 X1. Y2. Z3.\nG1 Z-1. F100\nM30\n%\n", "0 BEGIN PGM TEST MM\n1 L X+1 Y+2 FMAX\n",
+        "G0  X  16.3  Y -25.4\nG1  X   6.3  F 318\nG1  X   6.4  Y 2\n"}) {
+    const ReadOutcome outcome = read_toolpath("a", text);
+    ASSERT_FALSE(outcome.toolpath) << text;
+    EXPECT_EQ(outcome.errors.front().code, "gcode-control") << text;
+  }
 }
 
 // pmill_test1_4: the four numbers of the binary record and the seven of its ASCII twin are one cutter.

@@ -232,7 +232,6 @@ TEST(Refused, IsAFileWithoutAPositionThatIsUnderstood) {
   EXPECT_EQ(error_of("X,Y,Z\n1.0,2.0,3.0\n1.5,2.0,3.0\n2.0,2.0,3.0\n"), "path-not-cl-data");
   EXPECT_EQ(error_of("PARTNO A\nUNITS/MM\nFOO/1,2,3\nFOO/2,2,3\nFINI\n"), "path-no-motion");
   EXPECT_EQ(error_of("TOOL PATH/A,TOOL,B\nTLDATA/MILL,8,0,90,0,0\nMOVE/1,2,3\nEND-OF-PATH\n"), "path-no-motion");
-  EXPECT_EQ(error_of("G0  X  16.3  Y -25.4\nG1  X   6.3  F 318\nG1  X   6.4  Y 2\n"), "path-not-cl-data");
   const ReadOutcome outcome = read_toolpath("a.txt", "PARTNO A\nUNITS/MM\nFOO/1,2,3\nFOO/2,2,3\nFINI\n");
   EXPECT_TRUE(outcome.errors.front().message.starts_with("holds no position")) << outcome.errors.front().message;
 }

@@ -55,11 +55,13 @@ TEST(SiemensFlow, SectionsAreRepeated) {
 TEST(SiemensFlow, SubprogramsBesideTheFileAreRead) {
   ProgramSetup setup;
   setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
+    if (name == "L010.SPF") return "R1=R1+50\nM17\n";  // zeros are a part of the name
     if (name == "L10.SPF") return "R1=R1+1\nM17\nR1=100\n";
     if (name == "POCKET.SPF") return "PROC POCKET\nG1 X3\nRET\n";
     return std::nullopt;
   };
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL10 P3\nG1 X=R1 F100\n", setup).x(), 3);
+  EXPECT_DOUBLE_EQ(tip_after("R1=0\nL010\nG1 X=R1 F100\n", setup).x(), 50);
   EXPECT_DOUBLE_EQ(tip_after("G1 X1 F100\nPOCKET\n", setup).x(), 3);
   const ReadOutcome missing = test::read_siemens(kHead + "L11\nG1 X1 F100\nM30\n", setup);
   EXPECT_NE(test::reasons_of(missing).find("L11"), std::string::npos);
