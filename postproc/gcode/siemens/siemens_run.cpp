@@ -103,9 +103,7 @@ void SiemensRun::follow(const SiemensNext& next) {
 
 // An archive holds several programs, each behind its name: %_N_L10_SPF.
 bool SiemensRun::holds_program(const std::string& name) const {
-  for (std::size_t at = main_->begin(); at < main_->end(); ++at)
-    if (trim_blanks(main_->line(at)).starts_with("%_N_" + name + "_")) return true;
-  return false;
+  return std::string_view(input_.path.source).find("%_N_" + name + "_") != std::string_view::npos;
 }
 
 void SiemensRun::call(const SiemensNext& next) {

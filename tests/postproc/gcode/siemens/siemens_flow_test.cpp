@@ -63,6 +63,11 @@ TEST(SiemensFlow, SubprogramsBesideTheFileAreRead) {
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL10 P3\nG1 X=R1 F100\n", setup).x(), 3);
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL010\nG1 X=R1 F100\n", setup).x(), 50);
   EXPECT_DOUBLE_EQ(tip_after("G1 X1 F100\nPOCKET\n", setup).x(), 3);
+  const ReadOutcome archive =
+      test::read_siemens("%_N_MAIN_MPF\n" + kHead + "L10\nG1 X1 F100\nM30\n%_N_L10_SPF\nG1 X20\nM17\n", setup);
+  EXPECT_FALSE(test::can_be_clean(archive));
+  EXPECT_NE(test::reasons_of(archive).find("the file itself holds L10"), std::string::npos)
+      << test::reasons_of(archive);
   const ReadOutcome missing = test::read_siemens(kHead + "L11\nG1 X1 F100\nM30\n", setup);
   EXPECT_NE(test::reasons_of(missing).find("L11"), std::string::npos);
   EXPECT_FALSE(test::can_be_clean(missing));
