@@ -204,20 +204,29 @@ void SiemensRun::run_for(std::string_view rest, bool is_next) {
   return end ? jump(*end + 1) : lose("FOR without ENDFOR");
 }
 
+// N100 and N0100 in one file are a target that is not clear.
+std::string SiemensRun::one_spelling(const std::string& label) {
+  const bool is_number = label.size() > 1 && label[0] == 'N' &&
+                         std::all_of(label.begin() + 1, label.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!is_number) return label;
+  const std::size_t digits = std::min(label.find_first_not_of('0', 1), label.size() - 1);
+  return "N" + label.substr(digits);
+}
+
 const SiemensRun::Labels& SiemensRun::labels() {
   if (text_->labels) return *text_->labels;
   Labels made;
   for (std::size_t i = text_->program->begin(); i < text_->program->end(); ++i) {
     const SiemensLineStart start = read_siemens_start(text_->program->line(i));
     if (!start.label.empty()) made[start.label].push_back(i);
-    if (!start.number.empty()) made[start.number].push_back(i);
+    if (!start.number.empty()) made[one_spelling(start.number)].push_back(i);
   }
   text_->labels = std::move(made);
   return *text_->labels;
 }
 
 std::optional<std::size_t> SiemensRun::only_line_of(const std::string& label) {
-  const auto found = labels().find(label);
+  const auto found = labels().find(one_spelling(label));
   return found == labels().end() || found->second.size() != 1 ? std::nullopt : std::optional(found->second[0]);
 }
 

@@ -80,6 +80,7 @@ class SiemensRun {
   [[nodiscard]] std::string flow_at(std::size_t index) const;
   [[nodiscard]] std::string_view flow_rest_at(std::size_t index, std::string_view word) const;
   [[nodiscard]] const Labels& labels();
+  [[nodiscard]] static std::string one_spelling(const std::string& label);
   [[nodiscard]] std::optional<std::size_t> only_line_of(const std::string& label);
   void jump(std::size_t index);
   [[nodiscard]] std::optional<bool> condition(std::string_view& text);
