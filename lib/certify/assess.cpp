@@ -99,7 +99,7 @@ void settle_approaches(const Toolpath& path, const CheckSetup& setup, Assumption
     fact->evidence = "in line " + std::to_string(approach.line) + " the tool is at height " +
                      display_text(approach.height_mm, 4) + " mm, below the top of " + display_text(top, 4) +
                      " mm, and where it comes from is not known";
-    fact->remedy = "state the place of the tool with --start, or that nothing is in its way with --assume complete";
+    fact->remedy = "state X and Y before Z in the program, or that nothing is in its way with --assume complete";
     return;
   }
 }

@@ -49,7 +49,7 @@ Assumption end_of_program(const ProgramFacts& facts, const Tally& approach) {
     fact.value = "whole program without " + count_text(approach.count, "rapid") + " of its approach";
     fact.evidence = "nothing is swept before the tool has a height, at the start and after tool changes";
     fact.line = approach.first_line;
-    fact.remedy = "state the place of the tool with --start, or that nothing is in its way with --assume complete";
+    fact.remedy = "state that nothing is in its way with --assume complete";
   }
   return fact;
 }

@@ -75,7 +75,7 @@ ProgramMotion::Reached ProgramMotion::reached(const AxisPlace& to) {
     return {{},
             chain_.last_pose() ? "the place of the tool is not known"
                                : "the place of the tool is not known at the start or after a tool change; expected X, "
-                                 "Y and Z in its first position, or the place in --start"};
+                                 "Y and Z in its first position"};
   if (to.axis && std::abs(state_.excess_length_mm) > 0)
     return {{}, "the length that is applied is not that of the tool, whose axis the program states"};
   if (to.axis) return {{map.tip(to.xyz), *to.axis}, {}};
