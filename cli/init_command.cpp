@@ -11,6 +11,7 @@
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "toolmodels/import/read_any_tools.h"
@@ -20,14 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
 bool has_word(const std::string& name, std::initializer_list<const char*> words) {
-  return std::ranges::any_of(words, [&](const char* word) { return lower(name).find(word) != std::string::npos; });
+  return std::ranges::any_of(words,
+                             [&](const char* word) { return in_small_letters(name).find(word) != std::string::npos; });
 }
 
 /// The inputs in the working directory, recognised by the names of the files.
@@ -52,7 +48,7 @@ Folder look_around() {
   std::ranges::sort(names);
   std::vector<std::string> others;
   for (const std::string& name : names) {
-    const std::string ending = lower(fs::path(name).extension().string());
+    const std::string ending = in_small_letters(fs::path(name).extension().string());
     const bool may_be_library = ending == ".json" || ending == ".tools" || ending == ".fctl";
     if (may_be_library && name != kProjectFileName && is_library(name)) folder.libraries.push_back(name);
     if (ending != ".stl") continue;

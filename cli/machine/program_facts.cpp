@@ -6,17 +6,12 @@
 #include <utility>
 
 #include "cli/values/parse_lengths.h"
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/heidenhain/tool_table.h"
 
 namespace gouge {
 namespace {
-
-std::string in_capitals(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return text;
-}
 
 std::optional<Vec3> parse_point(const std::vector<std::string>& parts, std::size_t first) {
   Vec3 point;
@@ -63,7 +58,7 @@ std::optional<std::pair<int, double>> parse_table_row(std::string_view line) {
   bool is_sideways = false;
   for (const std::string& word : split_text(std::string(line), ' ')) {
     if (word.empty()) continue;
-    const char letter = static_cast<char>(word[0] & ~0x20);
+    const char letter = capital(word[0]);
     std::string_view value = std::string_view(word).substr(1);
     if (value.starts_with('+')) value.remove_prefix(1);
     if (letter == 'T') tool = parse_integer(value);

@@ -6,6 +6,7 @@
 
 #include "cli/options/command_doc.h"
 #include "cli/options/help_text.h"
+#include "lib/base/letters.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -33,10 +34,8 @@ std::string meant(const std::string& name) { return name.empty() ? std::string()
 
 std::string is_no_command(const std::string& word, const std::string& program,
                           const std::vector<std::string>& commands) {
-  std::string lower_case = word;
-  for (char& c : lower_case) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return "'" + word + "' is no command of " + program + "; expected " + listed(commands, " or ") +
-         meant(nearest_name(lower_case, commands));
+         meant(nearest_name(in_small_letters(word), commands));
 }
 
 // The error of the first word behind the program's name: an option before the command, or no command at all.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/letters.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -27,12 +28,6 @@ std::string roff(std::string_view text) {
 std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fR"; }
 std::string italic(std::string_view text) { return "\\fI" + roff(text) + "\\fR"; }
 
-std::string upper(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return text;
-}
-
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
@@ -53,7 +48,7 @@ class ManPage {
   explicit ManPage(const CommandDoc& command) : command_(command) {}
 
   std::string write() {
-    text_ = ".TH " + upper(man_name(command_)) + " 1 \"\" \"" + kProgramName + " " + kProgramVersion +
+    text_ = ".TH " + in_capitals(man_name(command_)) + " 1 \"\" \"" + kProgramName + " " + kProgramVersion +
             "\" \"User Commands\"\n";
     section("NAME");
     const std::vector<std::string> description = lines_of(command_.description);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/letters.h"
 #include "lib/base/paged_memory.h"
 #include "lib/base/result.h"
 
@@ -34,9 +35,8 @@ inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 /// Returns whether a file's name ends with `ending`, in any case, and is longer than it. `ending` has small letters and
 /// includes the dot.
 [[nodiscard]] inline bool has_ending(std::string_view file, std::string_view ending) {
-  return file.size() > ending.size() && std::equal(ending.rbegin(), ending.rend(), file.rbegin(), [](char e, char f) {
-           return e == (f >= 'A' && f <= 'Z' ? static_cast<char>(f - 'A' + 'a') : f);
-         });
+  return file.size() > ending.size() &&
+         std::equal(ending.rbegin(), ending.rend(), file.rbegin(), [](char e, char f) { return e == small(f); });
 }
 
 /// The bytes of a file; valid as long as `keep` exists.

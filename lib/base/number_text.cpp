@@ -9,11 +9,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "lib/base/letters.h"
+
 namespace gouge {
 
 namespace {
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // std::from_chars also accepts "nan", "inf" and hexadecimal words; a number starts with a digit or a point.
 bool looks_like_number(std::string_view text) {
@@ -144,9 +144,7 @@ namespace {
 constexpr double kLargest = 4611686018427387904.0;  // 2^62
 
 std::optional<double> bytes_per(std::string_view unit) {
-  std::string small(unit);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string wanted = in_small_letters(unit);
   constexpr std::array<std::pair<std::string_view, double>, 10> kUnits{{{"", 1.0},
                                                                         {"b", 1.0},
                                                                         {"kb", 1e3},
@@ -158,7 +156,7 @@ std::optional<double> bytes_per(std::string_view unit) {
                                                                         {"gib", 1073741824.0},
                                                                         {"tib", 1099511627776.0}}};
   for (const auto& [name, bytes] : kUnits) {
-    if (small == name) return bytes;
+    if (wanted == name) return bytes;
   }
   return std::nullopt;
 }

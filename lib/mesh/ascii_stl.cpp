@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/stage.h"
@@ -14,15 +15,13 @@ namespace {
 constexpr std::size_t kLongestQuote = 40;
 constexpr std::size_t kMegabyte = 1'000'000;
 
-char lower(char c) { return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 bool equals(std::string_view word, std::string_view lower_case) {
   return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(),
-                    [](char a, char b) { return lower(a) == b; });
+                    [](char a, char b) { return small(a) == b; });
 }
 
 // Returns the text of the file in quotes, suitable for a message of one line.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/base/files.h"
+#include "lib/base/letters.h"
 
 namespace gouge {
 
@@ -97,12 +98,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
 // Returns the entries of a folder with this name: the entry with exactly this name, else all that differ from it in
 // case alone.
 std::vector<std::string> entries_called(const fs::path& folder, const std::string& name) {
@@ -112,7 +107,7 @@ std::vector<std::string> entries_called(const fs::path& folder, const std::strin
   for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, failed), end; !failed && at != end;
        at.increment(failed)) {
     const std::string entry = at->path().filename().string();
-    if (lower(entry) == lower(name)) found.push_back(entry);
+    if (in_small_letters(entry) == in_small_letters(name)) found.push_back(entry);
   }
   std::ranges::sort(found);
   return found;

@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 
@@ -85,10 +86,7 @@ std::string clean_text(std::string_view text) {
 std::string plain_word(std::string_view text) {
   std::string word;
   for (const char c : text) {
-    if (c >= 'A' && c <= 'Z')
-      word += static_cast<char>(c - 'A' + 'a');
-    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-      word += c;
+    if (is_letter(c) || is_digit(c)) word += small(c);
   }
   return word;
 }

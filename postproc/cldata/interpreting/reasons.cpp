@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/letters.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -50,9 +51,7 @@ std::string word_as_reported(std::string_view major) {
   if (major.empty()) return "(no word)";
   const char c = major.front();
   if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return "(line of numbers)";
-  std::string word = shown_text(major, kLongestMajor);
-  for (char& letter : word) letter = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-  return word;
+  return in_capitals(shown_text(major, kLongestMajor));
 }
 
 const char* NamedReasons::name(std::string_view reason, std::string_view major, std::size_t line) {

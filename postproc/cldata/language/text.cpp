@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "lib/base/letters.h"
 #include "lib/base/printable_text.h"
 
 namespace gouge {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestQuote = 40;
-
-constexpr char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::string printable(std::string_view text, std::size_t longest) {
   std::string result;

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/letters.h"
+
 // The bytes of a CL file as words. Upper and lower case are equal everywhere in CL data.
 
 namespace gouge {
@@ -11,10 +13,6 @@ namespace gouge {
 [[nodiscard]] constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1a';
 }
-
-[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-[[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// Returns whether a character belongs to words: letters, digits, `_` and `-`.
 [[nodiscard]] constexpr bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; }

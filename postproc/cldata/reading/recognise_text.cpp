@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "lib/base/letters.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -53,7 +54,7 @@ constexpr std::array<Mark, 21> kMarks = {{
 std::string squeezed(std::string_view line) {
   std::string result;
   for (const char c : line.substr(0, kBytesOfLineLookedAt)) {
-    if (!is_blank(c)) result += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (!is_blank(c)) result += capital(c);
   }
   return result;
 }

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
-#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
 
-char capital_of(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 /// Removes the number of a block: digits before a blank, or alone.
 void remove_block_number(std::string_view& line) {
-  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(line, is_klartext_digit) - line.begin());
+  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(line, is_digit) - line.begin());
   if (digits == 0) return;
   if (digits < line.size() && line[digits] != ' ' && line[digits] != '\t' && line[digits] != '/') return;
   line = trim_blanks(line.substr(digits));
@@ -25,14 +23,14 @@ bool may_begin_block(std::string capitals) {
       "APPR", "BEGIN", "BLK",   "C",   "CALL", "CC",   "CHF", "CP",   "CR",       "CT",     "CTP",
       "CYCL", "DEP",   "END",   "FC",  "FCT",  "FL",   "FLT", "FN",   "FUNCTION", "L",      "LBL",
       "LN",   "LP",    "PLANE", "RND", "SEL",  "STOP", "TCH", "TOOL", "TRANS",    "PATTERN"};
-  std::ranges::transform(capitals, capitals.begin(), capital_of);
+  std::ranges::transform(capitals, capitals.begin(), capital);
   std::string_view text = trim_blanks(capitals);
   if (text.empty()) return false;
   const char first = text[0];
   const char second = text.size() > 1 ? text[1] : ' ';
-  const bool is_function = first == 'M' && is_klartext_digit(second);
-  const bool is_parameter = first == 'Q' && (is_klartext_digit(second) || second == 'L' || second == 'R');
-  if (is_klartext_digit(first) || is_function || is_parameter || first == '/') return true;
+  const bool is_function = first == 'M' && is_digit(second);
+  const bool is_parameter = first == 'Q' && (is_digit(second) || second == 'L' || second == 'R');
+  if (is_digit(first) || is_function || is_parameter || first == '/') return true;
   return std::ranges::any_of(kKeywords, [&](std::string_view one) { return take_keywords(text, one); });
 }
 
@@ -50,7 +48,7 @@ void add_code(std::string_view line, KlartextBlock& block) {
     const char c = line[i];
     if (c == '"') is_quoted = !is_quoted;
     if (c == ';' && !is_quoted) return check_comment(line.substr(i), block);
-    block.text += is_quoted ? c : capital_of(c);
+    block.text += is_quoted ? c : capital(c);
   }
 }
 
@@ -114,9 +112,7 @@ bool take_keywords(std::string_view& text, std::string_view keywords) {
     rest = trim_blanks(rest);
     if (!rest.starts_with(keywords.substr(0, length))) return false;
     rest.remove_prefix(length);
-    const auto is_of_word = [](char c, char last) {
-      return (c >= 'A' && c <= 'Z') || (is_klartext_digit(c) && is_klartext_digit(last));
-    };
+    const auto is_of_word = [](char c, char last) { return is_capital(c) || (is_digit(c) && is_digit(last)); };
     const bool goes_on = !rest.empty() && is_of_word(rest[0], keywords[length - 1]);
     if (goes_on) return false;
     keywords.remove_prefix(std::min(length + 1, keywords.size()));

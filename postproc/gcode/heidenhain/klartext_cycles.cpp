@@ -2,9 +2,9 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/heidenhain/klartext_runner.h"
-#include "postproc/gcode/heidenhain/klartext_text.h"
 
 // Cycles: those that act where they are defined, and drilling as the motions that the control makes.
 
@@ -17,13 +17,13 @@ constexpr int kDatumShift = 7, kMirror = 8, kDwell = 9, kRotation = 10, kScale =
 /// Returns whether a text may be the title of a cycle, in any language: letters and marks, no digits.
 bool is_title(std::string_view text) {
   return std::ranges::all_of(text, [](char c) {
-    const bool is_letter = (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+    const bool is_letter = is_capital(c) || static_cast<unsigned char>(c) >= 0x80;
     return is_letter || c == ' ' || c == '-' || c == '.' || c == '/';
   });
 }
 
 std::optional<int> take_integer(std::string_view& text) {
-  const auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_klartext_digit) - text.begin());
+  const auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
   const auto number = parse_integer(text.substr(0, length));
   constexpr long long kMax = 100'000;
   if (!number || *number > kMax) return std::nullopt;
@@ -171,7 +171,7 @@ void KlartextRunner::define_parameters(int cycle, std::string_view text) {
   if (row == nullptr && cycle != kPreset) return lose_rest(name + " is a cycle that is not read");
   // The title stands before the first parameter.
   std::size_t begin = text.find('Q');
-  while (begin != std::string_view::npos && (begin + 1 >= text.size() || !is_klartext_digit(text[begin + 1])))
+  while (begin != std::string_view::npos && (begin + 1 >= text.size() || !is_digit(text[begin + 1])))
     begin = text.find('Q', begin + 1);
   if (begin == std::string_view::npos) return lose_rest(name + " has no parameters");
   if (!is_title(text.substr(0, begin))) return lose_rest(name + " has a title that is not understood");

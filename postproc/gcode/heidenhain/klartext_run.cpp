@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/stage.h"
-#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
@@ -27,7 +27,7 @@ std::string take_label(std::string_view& text) {
     return name;
   }
   std::size_t length = 0;
-  while (length < text.size() && is_klartext_digit(text[length])) ++length;
+  while (length < text.size() && is_digit(text[length])) ++length;
   const auto number = parse_integer(text.substr(0, length));
   if (!number) return {};
   text = trim_blanks(text.substr(length));
@@ -36,7 +36,7 @@ std::string take_label(std::string_view& text) {
 
 /// Returns whether a line certainly is a straight line and a whole block: most lines are, and need not be read to know it.
 bool is_plain_line(std::string_view line) {
-  while (!line.empty() && (line[0] == ' ' || line[0] == '\t' || is_klartext_digit(line[0]))) line.remove_prefix(1);
+  while (!line.empty() && (line[0] == ' ' || line[0] == '\t' || is_digit(line[0]))) line.remove_prefix(1);
   return line.starts_with("L ") && !line.ends_with('~');
 }
 

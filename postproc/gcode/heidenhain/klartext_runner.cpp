@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
-#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
@@ -82,7 +82,7 @@ void KlartextRunner::run_statement(std::string_view text) {
   for (const std::string_view statement : kHarmlessStatements)
     if (take_keywords(rest, statement)) return;
   if (take_keywords(rest, "STOP")) return run_functions(rest);
-  if (text[0] == 'M' && text.size() > 1 && is_klartext_digit(text[1])) return run_functions(text);
+  if (text[0] == 'M' && text.size() > 1 && is_digit(text[1])) return run_functions(text);
   if (!run_path_statement(text)) lose_rest(first_word(text) + " begins a statement that is not read");
 }
 

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
-#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
 
-bool is_name_letter(char c) { return (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_value_digit(char c) { return is_klartext_digit(c) || c == '.'; }
+bool is_name_letter(char c) { return is_capital(c) || c == '_'; }
+bool is_value_digit(char c) { return is_digit(c) || c == '.'; }
 
 class WordReader {
  public:

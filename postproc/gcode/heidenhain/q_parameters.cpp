@@ -4,16 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
-#include "postproc/gcode/heidenhain/klartext_text.h"
 
 namespace gouge {
 namespace {
 
 constexpr int kMaxDepth = 50;  // brackets in each other
-
-bool is_formula_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
 double finite(double value) { return std::isinf(value) ? kUnknownValue : value; }
 
@@ -132,13 +130,13 @@ class FormulaReader {
       text_ = rest;
       return parameters_.value(name);
     }
-    if (is_formula_letter(peek())) return function(is_plain);
+    if (is_capital(peek())) return function(is_plain);
     return number();
   }
 
   double function(bool& is_plain) {
     std::string name;
-    while (is_formula_letter(peek())) {
+    while (is_capital(peek())) {
       name += peek();
       text_.remove_prefix(1);
     }
@@ -152,7 +150,7 @@ class FormulaReader {
 
   double number() {
     std::size_t length = 0;
-    while (length < text_.size() && (is_klartext_digit(text_[length]) || text_[length] == '.')) ++length;
+    while (length < text_.size() && (is_digit(text_[length]) || text_[length] == '.')) ++length;
     const auto parsed = parse_number(text_.substr(0, length));
     text_.remove_prefix(length);
     if (!parsed) fail("a formula without a value");
@@ -194,7 +192,7 @@ std::string take_parameter_name(std::string_view& text) {
   std::string name = "Q";
   if (text.size() > 1 && (text[1] == 'L' || text[1] == 'R')) name += text[at++];
   const std::size_t first = at;
-  while (at < text.size() && is_klartext_digit(text[at])) ++at;
+  while (at < text.size() && is_digit(text[at])) ++at;
   const auto number = parse_integer(text.substr(first, at - first));
   if (!number) return {};
   text.remove_prefix(at);
@@ -213,7 +211,7 @@ FormulaValue read_operand(std::string_view text, const QParameters& parameters) 
   std::string_view rest = text;
   const std::string name = take_parameter_name(rest);
   if (!name.empty() && rest.empty()) return {sign * parameters.value(name), {}};
-  const bool begins_well = !text.empty() && (is_klartext_digit(text[0]) || text[0] == '.');
+  const bool begins_well = !text.empty() && (is_digit(text[0]) || text[0] == '.');
   const auto number = begins_well ? parse_number(text) : std::nullopt;
   if (!number) return {kUnknownValue, "'" + std::string(text.substr(0, 20)) + "' is no value"};
   return {sign * *number, {}};

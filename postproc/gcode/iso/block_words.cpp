@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 
 namespace gouge {
@@ -50,7 +51,7 @@ CodeIndex::CodeIndex(const ControlTable& control, const std::vector<std::string>
     (row.letter == 'G' ? g_ : m_).at(static_cast<std::size_t>(row.number)) = &row;
   }
   for (const std::string& word : harmless_words) {
-    const char letter = word.empty() ? '\0' : static_cast<char>(word[0] & ~0x20);
+    const char letter = word.empty() ? '\0' : capital(word[0]);
     if (letter != 'G' && letter != 'M') continue;
     const auto value = parse_number(std::string_view(word).substr(1));
     const auto number = value ? code_number(*value) : std::nullopt;

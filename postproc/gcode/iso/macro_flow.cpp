@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/iso/program_run.h"
 
@@ -12,10 +13,8 @@ namespace {
 /// Takes a word in capitals from the beginning of a text; false: it does not begin with it.
 bool take_word(std::string_view& text, std::string_view word) {
   std::string_view rest = trim_blanks(text);
-  const bool is_here =
-      rest.size() >= word.size() && std::equal(word.begin(), word.end(), rest.begin(), [](char a, char b) {
-        return a == (b >= 'a' && b <= 'z' ? static_cast<char>(b - 'a' + 'A') : b);
-      });
+  const bool is_here = rest.size() >= word.size() && std::equal(word.begin(), word.end(), rest.begin(),
+                                                                [](char a, char b) { return a == capital(b); });
   if (is_here) text = rest.substr(word.size());
   return is_here;
 }
@@ -64,9 +63,7 @@ void ProgramRun::run_macro(std::string_view flow) {
     const auto number = take_last_number(text);
     if (number) {
       for (std::size_t i = at_; i-- > text_->begin();) {
-        std::string line(text_->line(i));
-        std::ranges::transform(line, line.begin(),
-                               [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+        const std::string line = in_capitals(text_->line(i));
         const std::size_t loop = line.find("DO");
         if (loop == std::string::npos || line.find("WHILE") == std::string::npos) continue;
         if (take_last_number(std::string_view(line).substr(loop + 2)) != number) continue;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/iso/program_run.h"
 
@@ -10,15 +11,6 @@ namespace gouge {
 namespace {
 
 constexpr int kMaxArguments = 30;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return result;
-}
-
-bool is_lower_letter(char c) { return c >= 'a' && c <= 'z'; }
 
 /// Takes the label behind the O: "100" or "<name>"; empty: it is computed, or none.
 std::string take_label(std::string_view& text) {
@@ -31,7 +23,7 @@ std::string take_label(std::string_view& text) {
   } else {
     while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
   }
-  std::string label = lower(text.substr(0, end));
+  std::string label = in_small_letters(text.substr(0, end));
   std::erase(label, ' ');
   text = trim_blanks(text.substr(end));
   return label;
@@ -40,8 +32,8 @@ std::string take_label(std::string_view& text) {
 std::string take_keyword(std::string_view& text) {
   text = trim_blanks(text);
   std::size_t end = 0;
-  const std::string all = lower(text);
-  while (end < all.size() && is_lower_letter(all[end])) ++end;
+  const std::string all = in_small_letters(text);
+  while (end < all.size() && is_small(all[end])) ++end;
   text = trim_blanks(text.substr(end));
   return all.substr(0, end);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/stage.h"
 #include "postproc/gcode/lexing/expression.h"
@@ -16,7 +17,7 @@ constexpr std::size_t kMaxCalls = 64;
 
 char first_letter(std::string_view line) {
   const std::string_view text = trim_blanks(line);
-  return text.empty() ? '\0' : text[0] >= 'a' && text[0] <= 'z' ? static_cast<char>(text[0] - 'a' + 'A') : text[0];
+  return text.empty() ? '\0' : capital(text[0]);
 }
 
 }  // namespace

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/lexing/expression.h"
 
 namespace gouge {
 namespace {
-
-bool is_address_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 class BlockLexer {
  public:
@@ -38,7 +35,7 @@ class BlockLexer {
       if (c_.peek() >= '1' && c_.peek() <= '9') ++c_.at;
       c_.skip_blanks();
     }
-    if (upper(c_.peek()) != 'N') return;
+    if (capital(c_.peek()) != 'N') return;
     ++c_.at;
     c_.skip_blanks();
     const std::size_t begin = c_.at;
@@ -48,10 +45,10 @@ class BlockLexer {
   }
 
   bool begins_flow() {
-    const char first = upper(c_.peek());
+    const char first = capital(c_.peek());
     const bool is_o_word = syntax_.has_o_words && first == 'O';
     const char second = c_.at + 1 < c_.text.size() ? c_.text[c_.at + 1] : '\0';
-    if (!is_o_word && !(is_address_letter(first) && is_address_letter(second))) return false;
+    if (!is_o_word && !(is_letter(first) && is_letter(second))) return false;
     if (!is_o_word && !syntax_.has_macros) {
       c_.fail("'" + std::string(c_.text.substr(c_.at, 8)) + "' is no word of a letter and a number");
       return true;
@@ -66,7 +63,7 @@ class BlockLexer {
     if (c == '(') return read_comment();
     if (c == ';') return read_after_semicolon();
     if (c == '#') return read_assignment();
-    if (is_address_letter(c)) return read_word();
+    if (is_letter(c)) return read_word();
     c_.fail("'" + std::string(1, c) + "' is no part of a block");
   }
 
@@ -104,7 +101,7 @@ class BlockLexer {
 
   void read_word() {
     GcodeWord& word = block_.words.emplace_back();
-    word.letter = upper(c_.peek());
+    word.letter = capital(c_.peek());
     word.first_byte = static_cast<std::uint32_t>(c_.at++);
     word.value = read_value(c_, syntax_, variables_, word.has_point);
     word.last_byte = static_cast<std::uint32_t>(c_.at);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 
 namespace gouge {
@@ -14,10 +15,6 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kDeepest = 50;  // brackets in each other
-
-bool is_a_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-bool is_a_digit(char c) { return c >= '0' && c <= '9'; }
-char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 double truth(bool value) { return value ? 1 : 0; }
 
@@ -49,7 +46,7 @@ class Evaluator {
     }
     if (c == '[') return brackets();
     if (c == '#') return variable();
-    if (is_a_letter(c)) return function();
+    if (is_letter(c)) return function();
     return number();
   }
 
@@ -212,7 +209,7 @@ class Evaluator {
 
   double function() {
     std::string name;
-    while (is_a_letter(c_.peek())) name += capital(c_.text[c_.at++]);
+    while (is_letter(c_.peek())) name += capital(c_.text[c_.at++]);
     c_.skip_blanks();
     if (c_.peek() != '[') {
       c_.fail("'" + name + "' is no number");
@@ -253,7 +250,7 @@ class Evaluator {
 
   double number() {
     const std::size_t begin = c_.at;
-    while (is_a_digit(c_.peek()) || c_.peek() == '.') ++c_.at;
+    while (is_digit(c_.peek()) || c_.peek() == '.') ++c_.at;
     const auto parsed = parse_number(c_.text.substr(begin, c_.at - begin));
     if (!parsed) c_.fail("a word without its number");
     return parsed.value_or(kUnknownValue);
@@ -277,7 +274,7 @@ std::optional<double> plain_number(GcodeCursor& c, bool& has_point) {
   bool is_behind = false;
   for (; at < c.text.size(); ++at) {
     const char one = c.text[at];
-    if (is_a_digit(one)) {
+    if (is_digit(one)) {
       value = value * 10 + (one - '0');
       ++digits;
       decimals += is_behind ? 1U : 0U;
@@ -342,7 +339,7 @@ std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax, c
     }
     std::string name;
     for (const char c : cursor.text.substr(cursor.at, close + 1 - cursor.at)) {
-      if (c != ' ' && c != '\t') name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      if (c != ' ' && c != '\t') name += small(c);
     }
     cursor.at = close + 1;
     return name;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 
 namespace gouge {
@@ -13,10 +14,9 @@ bool is_percent(std::string_view line) { return !line.empty() && line.front() ==
 bool has_label(std::string_view line, char letter, int number) {
   line = trim_blanks(line);
   if (line.starts_with('/')) line = trim_blanks(line.substr(1));
-  if (line.empty() || static_cast<char>(line[0] & ~0x20) != letter) return false;
+  if (line.empty() || capital(line[0]) != letter) return false;
   line = trim_blanks(line.substr(1));
-  const auto digits = static_cast<std::size_t>(
-      std::ranges::find_if_not(line, [](char c) { return c >= '0' && c <= '9'; }) - line.begin());
+  const auto digits = static_cast<std::size_t>(std::ranges::find_if_not(line, is_digit) - line.begin());
   const auto stated = parse_integer(line.substr(0, digits));
   return stated && *stated == number;
 }

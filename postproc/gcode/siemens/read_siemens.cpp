@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/siemens/siemens_lexer.h"
 #include "postproc/gcode/siemens/siemens_run.h"
@@ -16,9 +17,7 @@ constexpr auto kMarks = std::to_array<std::string_view>(
     {"TRAORI", "TRAFOOF", "SUPA", "CYCLE800", "CYCLE832", "CYCLE81", "DEF REAL", "G710", "MCALL"});
 
 bool is_mark_in(std::string_view line) {
-  std::string text(without_comment(line));
-  std::ranges::transform(text, text.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  const std::string text = in_capitals(without_comment(line));
   return std::ranges::any_of(kMarks, [&](std::string_view mark) { return text.find(mark) != std::string::npos; });
 }
 

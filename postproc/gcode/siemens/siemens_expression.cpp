@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 
 namespace gouge {
@@ -17,9 +18,7 @@ constexpr int kMaxBrackets = 50;
 constexpr double kNearlyEqual = 1e-6;
 constexpr double kMaxWhole = 1e15;
 
-char capital_of(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-bool is_digit_of_number(char c) { return c >= '0' && c <= '9'; }
-bool begins_name(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '$'; }
+bool begins_name(char c) { return is_letter(c) || c == '_' || c == '$'; }
 
 double truth_of(bool value) { return value ? 1 : 0; }
 bool is_zero(double a) { return std::abs(a) <= 0; }
@@ -149,12 +148,11 @@ class SiemensEvaluator {
     c_.skip_blanks();
     const std::string_view rest = c_.text.substr(std::min(c_.at, c_.text.size()));
     for (const SymbolText& one : kSymbols) {
-      const bool is_here =
-          rest.size() >= one.text.size() &&
-          std::equal(one.text.begin(), one.text.end(), rest.begin(), [](char a, char b) { return a == capital_of(b); });
+      const bool is_here = rest.size() >= one.text.size() && std::equal(one.text.begin(), one.text.end(), rest.begin(),
+                                                                        [](char a, char b) { return a == capital(b); });
       const bool is_word = begins_name(one.text[0]);
       const bool goes_on = is_word && rest.size() > one.text.size() &&
-                           (begins_name(rest[one.text.size()]) || is_digit_of_number(rest[one.text.size()]));
+                           (begins_name(rest[one.text.size()]) || is_digit(rest[one.text.size()]));
       if (is_here && !goes_on) return &one;
     }
     return nullptr;
@@ -277,22 +275,22 @@ class SiemensEvaluator {
 std::string read_siemens_name(GcodeCursor& c) {
   std::string name;
   if (!begins_name(c.peek())) return name;
-  while (begins_name(c.peek()) || is_digit_of_number(c.peek())) name += capital_of(c.text[c.at++]);
+  while (begins_name(c.peek()) || is_digit(c.peek())) name += capital(c.text[c.at++]);
   return name;
 }
 
 double read_siemens_number(GcodeCursor& c) {
   const std::size_t begin = c.at;
   if (c.peek() == '-' || c.peek() == '+') ++c.at;
-  while (is_digit_of_number(c.peek()) || c.peek() == '.') ++c.at;
+  while (is_digit(c.peek()) || c.peek() == '.') ++c.at;
   std::string text(c.text.substr(begin, c.at - begin));
-  const auto at = [&](std::size_t i) { return c.at + i < c.text.size() ? capital_of(c.text[c.at + i]) : '\0'; };
+  const auto at = [&](std::size_t i) { return c.at + i < c.text.size() ? capital(c.text[c.at + i]) : '\0'; };
   const std::size_t sign = at(2) == '-' || at(2) == '+' ? 1 : 0;
-  if (at(0) == 'E' && at(1) == 'X' && is_digit_of_number(at(2 + sign))) {
+  if (at(0) == 'E' && at(1) == 'X' && is_digit(at(2 + sign))) {
     c.at += 2;
     const std::size_t exponent = c.at;
     c.at += sign;
-    while (is_digit_of_number(c.peek())) ++c.at;
+    while (is_digit(c.peek())) ++c.at;
     text += "e" + std::string(c.text.substr(exponent, c.at - exponent));
   }
   const auto number = parse_number(text);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/siemens/siemens_expression.h"
 #include "postproc/gcode/siemens/siemens_lexer.h"
@@ -11,13 +12,6 @@
 
 namespace gouge {
 namespace {
-
-std::string capitals_of(std::string_view text) {
-  std::string made(text);
-  std::ranges::transform(made, made.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return made;
-}
 
 /// Takes a name from the beginning of a text, in capitals; empty: it begins with none.
 std::string take_name(std::string_view& text) {
@@ -47,7 +41,7 @@ std::optional<int> take_times(std::string_view text) {
   return number && *number >= 1 && *number <= kMaxTimes ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
-bool begins_with_goto(std::string_view text) { return capitals_of(trim_blanks(text)).starts_with("GOTO"); }
+bool begins_with_goto(std::string_view text) { return in_capitals(trim_blanks(text)).starts_with("GOTO"); }
 
 }  // namespace
 
@@ -104,7 +98,7 @@ std::string SiemensRun::flow_at(std::size_t index) const {
   const std::string_view line = without_comment(text_->program->line(index));
   std::string word = flow_word_of(line);
   const std::string_view rest = word.empty() ? std::string_view() : flow_rest_at(index, word);
-  if (word == "IF" && capitals_of(rest).find("GOTO") != std::string::npos) return {};
+  if (word == "IF" && in_capitals(rest).find("GOTO") != std::string::npos) return {};
   if (word == "REPEAT" && !trim_blanks(rest).empty()) return {};
   return word;
 }
@@ -206,8 +200,7 @@ void SiemensRun::run_for(std::string_view rest, bool is_next) {
 
 // N100 and N0100 in one file are a target that is not clear.
 std::string SiemensRun::one_spelling(const std::string& label) {
-  const bool is_number = label.size() > 1 && label[0] == 'N' &&
-                         std::all_of(label.begin() + 1, label.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool is_number = label.size() > 1 && label[0] == 'N' && std::all_of(label.begin() + 1, label.end(), is_digit);
   if (!is_number) return label;
   const std::size_t digits = std::min(label.find_first_not_of('0', 1), label.size() - 1);
   return "N" + label.substr(digits);

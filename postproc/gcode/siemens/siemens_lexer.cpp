@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/siemens/siemens_expression.h"
 
@@ -14,10 +15,7 @@ constexpr auto kFlowWords = std::to_array<std::string_view>(
      "REPEATB", "UNTIL", "GOTO",  "GOTOF",   "GOTOB",    "GOTOC",   "GOTOS",  "CASE",  "DEF",     "PROC",
      "EXTERN",  "RET",   "CALL",  "EXTCALL", "PCALL",    "ISOCALL", "DEFINE", "REDEF", "DEFAULT"});
 
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-char as_capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
-bool begins_number(char c) { return is_decimal_digit(c) || c == '.' || c == '-' || c == '+'; }
+bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
 
 class SiemensLexer {
  public:
@@ -35,7 +33,7 @@ class SiemensLexer {
 
  private:
   [[nodiscard]] char at(std::size_t ahead) const {
-    return c_.at + ahead < c_.text.size() ? as_capital(c_.text[c_.at + ahead]) : '\0';
+    return c_.at + ahead < c_.text.size() ? capital(c_.text[c_.at + ahead]) : '\0';
   }
 
   void read_word() {
@@ -49,7 +47,7 @@ class SiemensLexer {
   // An address with a number of its own: S1=1000, A3=0.5, R10=5.
   [[nodiscard]] bool is_extended() const {
     std::size_t ahead = 1;
-    while (is_decimal_digit(at(ahead))) ++ahead;
+    while (is_digit(at(ahead))) ++ahead;
     if (ahead == 1) return false;
     while (at(ahead) == ' ' || at(ahead) == '\t') ++ahead;
     return at(ahead) == '=' && at(ahead + 1) != '=';
@@ -96,7 +94,7 @@ class SiemensLexer {
     // Whether a value that the block sets already counts is not stated.
     const std::string used(c_.text.substr(begin, c_.at - begin));
     const bool is_number =
-        std::ranges::none_of(used, [](char c) { return is_capital(as_capital(c)) || c == '_' || c == '$'; });
+        std::ranges::none_of(used, [](char c) { return is_capital(capital(c)) || c == '_' || c == '$'; });
     block_.assignments.push_back({name, uses_earlier && !is_number ? kUnknownValue : value});
   }
 
@@ -199,7 +197,7 @@ std::string flow_word_at(std::string_view line, std::size_t at) {
   GcodeCursor c{line, at};
   c.skip_blanks();
   const bool may_be_word =
-      c.at + 1 < line.size() && is_capital(as_capital(line[c.at])) && is_capital(as_capital(line[c.at + 1]));
+      c.at + 1 < line.size() && is_capital(capital(line[c.at])) && is_capital(capital(line[c.at + 1]));
   if (!may_be_word) return {};
   std::string name = read_siemens_name(c);
   if (std::ranges::find(kFlowWords, name) == kFlowWords.end()) name.clear();
@@ -224,15 +222,15 @@ SiemensLineStart read_siemens_start(std::string_view line) {
   if (c.peek() == '/') {
     start.is_skippable = true;
     ++c.at;
-    if (is_decimal_digit(c.peek())) ++c.at;
+    if (is_digit(c.peek())) ++c.at;
     c.skip_blanks();
   }
-  const auto digit_at = [&](std::size_t at) { return at < line.size() && is_decimal_digit(line[at]); };
-  const bool is_numbered = (as_capital(c.peek()) == 'N' || c.peek() == ':') && digit_at(c.at + 1);
+  const auto digit_at = [&](std::size_t at) { return at < line.size() && is_digit(line[at]); };
+  const bool is_numbered = (capital(c.peek()) == 'N' || c.peek() == ':') && digit_at(c.at + 1);
   if (is_numbered) {
     ++c.at;
     start.number = "N";
-    while (is_decimal_digit(c.peek())) start.number += line[c.at++];
+    while (is_digit(c.peek())) start.number += line[c.at++];
     c.skip_blanks();
   }
   const std::size_t words = c.at;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/letters.h"
 #include "postproc/gcode/language/gcode_block.h"
 
 namespace gouge {
 
 bool is_r_parameter(std::string_view name) {
-  return name.size() > 1 && name[0] == 'R' &&
-         std::ranges::all_of(name.substr(1), [](char c) { return c >= '0' && c <= '9'; });
+  return name.size() > 1 && name[0] == 'R' && std::ranges::all_of(name.substr(1), is_digit);
 }
 
 double SiemensVariables::held(SiemensType type, double value) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 
 namespace gouge {
@@ -92,11 +93,7 @@ std::string SiemensWords::take(const SiemensBlock& block, const std::vector<std:
   values_.clear();
   called_.clear();
   const auto is_stated_harmless = [&](const SiemensWord& word) {
-    return std::ranges::any_of(harmless, [&](const std::string& name) {
-      return std::ranges::equal(name, word.name, [](char a, char b) {
-        return (a >= 'a' && a <= 'z' ? static_cast<char>(a - 'a' + 'A') : a) == b;
-      });
-    });
+    return std::ranges::any_of(harmless, [&](const std::string& name) { return in_capitals(name) == word.name; });
   };
   for (const SiemensWord& word : block.words) {
     std::string wrong;
