@@ -125,14 +125,7 @@ void KlartextRunner::aim_rotary(const PathWords& words, Target& to) {
       aim_joint(*rotary, *word, words.function(Meaning::machine_place) != nullptr, to);
       continue;
     }
-    const bool has_machine = motion_.mapper().has_machine();
-    if (!facts_.error)
-      facts_.error = make_error("gcode-machine",
-                                std::string("the program turns axis ") + "ABC"[i] +
-                                    (has_machine ? ", which machine " + setup_.machine->name +
-                                                       " does not have; expected the machine of this program"
-                                                 : "; expected --machine, which states where this axis is"),
-                                input_.path.file, line_);
+    if (!facts_.error) facts_.error = describe_missing_axis("ABC"[i], setup_.machine.get(), input_.path.file, line_);
   }
   if (words.function(Meaning::shortest_off) != nullptr && to.open.empty())
     to.open = "rotary axes turn in the block of M127, and no manual states when it acts";

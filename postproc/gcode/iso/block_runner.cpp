@@ -347,13 +347,7 @@ BlockRunner::Target BlockRunner::target() {
     if (!words_.is_axis(letter)) continue;
     const auto rotary = motion_.mapper().rotary_of(letter);
     if (!rotary) {
-      const bool has_machine = motion_.mapper().has_machine();
-      error_ = make_error("gcode-machine",
-                          "the program turns axis " + std::string(1, letter) +
-                              (has_machine ? ", which machine " + setup_.machine->name +
-                                                 " does not have; expected the machine of this program"
-                                           : "; expected --machine, which states where this axis is"),
-                          path_.file, line_);
+      error_ = describe_missing_axis(letter, setup_.machine.get(), path_.file, line_);
       return to;
     }
     double& angle = to.place.angles.at(*rotary);

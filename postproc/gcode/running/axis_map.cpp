@@ -35,6 +35,13 @@ std::string describe_unfit(const Machine& machine) {
   return {};
 }
 
+Diagnostic describe_missing_axis(char letter, const Machine* machine, const std::string& file, std::size_t line) {
+  const std::string missing =
+      machine != nullptr ? ", which machine " + machine->name + " does not have; expected the machine of this program"
+                         : "; expected --machine, which states where this axis is";
+  return make_error("gcode-machine", "the program turns axis " + std::string(1, letter) + missing, file, line);
+}
+
 AxisMapper::AxisMapper(const Machine* machine) : machine_(machine) {
   if (machine == nullptr) return;
   for (std::size_t i = 0; i < 3; ++i) linear_.at(i) = joint_called(*machine, kLinearNames.at(i)).value_or(0);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lib/base/diagnostic.h"
 #include "lib/machine/kinematics.h"
 #include "postproc/gcode/running/program_setup.h"
 
@@ -75,6 +76,10 @@ class AxisMapper {
   std::array<std::size_t, 3> linear_{};  // joints of X, Y and Z
   AxisMap at_zero_;                      // with all joints at 0
 };
+
+/// Returns the error that a program turns a rotary axis that the machine does not have; null: no machine is stated.
+[[nodiscard]] Diagnostic describe_missing_axis(char letter, const Machine* machine, const std::string& file,
+                                               std::size_t line);
 
 /// Returns why a machine cannot run programs: a linear joint that is not X, Y or Z. Empty: it can.
 [[nodiscard]] std::string describe_unfit(const Machine& machine);
