@@ -13,7 +13,6 @@ namespace {
 
 /// Blocks that may run beyond those of the file: loops that do not end are ended here.
 constexpr std::size_t kMaxRepeatedKlartext = 2'000'000;
-constexpr std::size_t kMaxKlartextCalls = 64;
 constexpr int kMaxRepeats = 65'534;  // input range of REP
 
 /// Returns the name of a label at the start of a text, and shortens the text: "5" or "\"NAME\"". Empty: there is none.
@@ -193,7 +192,7 @@ void KlartextRun::call_label(std::string_view text) {
     return repeat(name, static_cast<int>(*number));
   }
   if (!text.empty()) return runner_.lose_rest("'" + std::string(text.substr(0, 20)) + "' has no place in CALL LBL");
-  if (calls_.size() >= kMaxKlartextCalls) return runner_.lose_rest("subprograms call each other without an end");
+  if (calls_.size() >= kMaxCalls) return runner_.lose_rest("subprograms call each other without an end");
   calls_.push_back({next_});
   next_ = *place;
 }

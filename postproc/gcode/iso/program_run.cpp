@@ -13,7 +13,6 @@ namespace {
 
 /// Blocks that may run beyond those of the file: loops that do not end are ended here.
 constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
-constexpr std::size_t kMaxCalls = 64;
 
 char first_letter(std::string_view line) {
   const std::string_view text = trim_blanks(line);
@@ -165,15 +164,11 @@ void ProgramRun::end_call() {
 }
 
 const ProgramText* ProgramRun::beside(const std::string& name) {
-  if (const auto known = besides_.find(name); known != besides_.end()) return known->second.program.get();
+  if (const auto known = besides_.find(name); known != besides_.end()) return &known->second.text();
   if (!setup_.read_beside) return nullptr;
   std::optional<std::string> text = setup_.read_beside(name);
   if (!text) return nullptr;
-  BesideText& made = besides_[name];
-  made.text = std::move(*text);
-  add_lines(made.text, made.lines);
-  made.program = std::make_unique<ProgramText>(made.text, made.lines);
-  return made.program.get();
+  return &besides_.try_emplace(name, std::move(*text)).first->second.text();
 }
 
 double ProgramRun::value_of(std::string_view& text) {

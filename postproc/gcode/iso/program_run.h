@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,12 +33,6 @@ class ProgramRun {
   [[nodiscard]] bool begins_again() const { return begins_again_; }
 
  private:
-  /// Program beside the file, as read.
-  struct BesideText {
-    std::string text;
-    SourceStatements lines;
-    std::unique_ptr<ProgramText> program;
-  };
   /// Place to which a call returns, and how often it runs again.
   struct Call {
     const ProgramText* text = nullptr;
@@ -93,7 +86,7 @@ class ProgramRun {
   std::size_t main_at_ = 0;        // the block of the file that runs, or calls
   std::vector<Call> calls_;
   std::vector<Loop> loops_;
-  std::map<std::string, BesideText> besides_;
+  std::map<std::string, StoredProgram> besides_;
   std::size_t end_line_ = 0;
   bool has_ended_ = false, begins_again_ = false;
 };

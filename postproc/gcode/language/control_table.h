@@ -38,15 +38,13 @@ enum class GcodeMeaning : std::uint8_t {
   length_off,      ///< ends tool length, and tool centre point control
   tip_control_on,  ///< tool centre point control, with the length of H
   tip_control_off,
-  maybe_tip_control_off,  ///< ends tool centre point control only as the user states (ProgramSetup::ends)
-  turned_offset_on,       ///< the work offset follows the rotary joints, the axes stay those of the machine
+  turned_offset_on,  ///< the work offset follows the rotary joints, the axes stay those of the machine
   turned_offset_off,
   tilted_plane,      ///< later positions are in a tilted frame
   align_to_plane,    ///< the rotary joints align the tool with the tilted frame
   tilted_plane_off,  ///< ends all frames of the program
   blending,  ///< later motions leave the path by the words GcodeRow::distance; without them by an unknown distance
   tool_change,
-  selects_tool,
   program_end,
   call_program,
   call_block,

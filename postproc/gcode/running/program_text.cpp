@@ -56,6 +56,15 @@ ProgramText::ProgramText(std::string_view text, const SourceStatements& lines)
   }
 }
 
+StoredProgram::StoredProgram(std::string bytes)
+    : bytes_(std::move(bytes)),
+      lines_([this] {
+        SourceStatements lines;
+        add_lines(bytes_, lines);
+        return lines;
+      }()),
+      text_(bytes_, lines_) {}
+
 std::string_view ProgramText::line(std::size_t index) const {
   const SourceStatement& one = lines_[index];
   std::string_view line = text_.substr(one.first_byte, one.last_byte - one.first_byte);

@@ -38,6 +38,25 @@ class ProgramText {
   std::size_t begin_ = 0, end_ = 0;
 };
 
+/// A program that holds its own text, such as one beside the file.
+class StoredProgram {
+ public:
+  explicit StoredProgram(std::string bytes);
+  StoredProgram(const StoredProgram&) = delete;
+  StoredProgram& operator=(const StoredProgram&) = delete;
+  ~StoredProgram() = default;
+
+  [[nodiscard]] const ProgramText& text() const { return text_; }
+
+ private:
+  std::string bytes_;
+  SourceStatements lines_;
+  ProgramText text_;
+};
+
+/// Programs may call each other to this depth.
+inline constexpr std::size_t kMaxCalls = 64;
+
 /// Adds the lines of a text that are not blank. Cost: one pass at the speed of memory.
 void add_lines(std::string_view text, SourceStatements& lines);
 

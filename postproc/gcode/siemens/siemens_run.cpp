@@ -11,7 +11,6 @@ namespace {
 
 /// Blocks that may run beyond those of the file: loops that do not end are ended here.
 constexpr std::size_t kMaxRepeatedBlocks = 10'000'000;
-constexpr std::size_t kMaxCalls = 64;
 
 }  // namespace
 
@@ -145,12 +144,7 @@ SiemensRun::Text* SiemensRun::beside(const std::string& name) {
   for (const char* end : {".SPF", ".spf", ".MPF", ".mpf"})
     if (!bytes) bytes = input_.options.setup.read_beside(name + end);
   if (!bytes) return nullptr;
-  BesideText& made = besides_[name];
-  made.bytes = std::move(*bytes);
-  add_lines(made.bytes, made.lines);
-  made.program = std::make_unique<ProgramText>(made.bytes, made.lines);
-  made.text.program = made.program.get();
-  return &made.text;
+  return &besides_.try_emplace(name, std::move(*bytes)).first->second.text;
 }
 
 }  // namespace gouge

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,9 +39,8 @@ class SiemensRun {
     std::optional<Labels> labels;  ///< lines by label and by block number; none: not looked for yet
   };
   struct BesideText {
-    std::string bytes;
-    SourceStatements lines;
-    std::unique_ptr<ProgramText> program;
+    explicit BesideText(std::string bytes) : program(std::move(bytes)), text{&program.text(), {}} {}
+    StoredProgram program;
     Text text;
   };
   /// A subprogram, or a section that is repeated, and where it returns to.
