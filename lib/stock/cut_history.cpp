@@ -93,21 +93,23 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
       heads_(heads),
       resolution_mm_(options.resolution_mm),
       tube_{options.tube.tip_mm, options.tube.axis_rad},
-      departs_(!tube_.is_none()),
       of_tool_(tools.size()) {
   std::vector<std::vector<MotionSpan>> spans(tools.size());
   is_known_.reserve(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    is_known_.push_back(is_known_motion(i));
-    if (!is_known_[i]) {
+    const std::optional<Motion> motion = known_motion(i);
+    is_known_.push_back(motion.has_value());
+    if (!motion) {
       add_unknown(i);
       continue;
     }
     const CompiledTool& bare = tool_of(i).tool->bare;
-    const Motion motion = motion_of(i);
-    const Departure departure = departure_from(motion);
-    departs_ = departs_ || !departure.is_none();
-    append_spans(motion, departure, static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
+    const Departure departure = departure_from(*motion);
+    if (departure.tip_mm > tube_.tip_mm || departure.axis_rad > tube_.axis_rad) {
+      departures_.resize(path.moves.size(), tube_);
+      departures_[i] = departure;
+    }
+    append_spans(*motion, departure, static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
                  spans[path.moves[i].tool]);
   }
   for (std::size_t k = 0; k < tools.size(); ++k) {
@@ -127,17 +129,15 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
   }
 }
 
-bool CutHistory::is_known_motion(std::size_t i) const {
+std::optional<Motion> CutHistory::known_motion(std::size_t i) const {
   const Move& move = path_.moves[i];
   if (!move.not_checked_reason.empty() || move.tool == kNone || move.tool >= tools_.size() ||
       tools_[move.tool].tool == nullptr)
-    return false;
-  const Motion motion = motion_of(i);
-  return motion.is_defined() && departure_from(motion).axis_rad < kMaxDeparture_rad && motion.is_within(kFarthest_mm);
-}
-
-Departure CutHistory::departure_of(std::size_t move) const {
-  return departs_ ? departure_from(motion_of(move)) : tube_;
+    return std::nullopt;
+  Motion motion = motion_of(i);
+  if (!motion.is_defined() || !motion.is_within(kFarthest_mm)) return std::nullopt;
+  if (!(departure_from(motion).axis_rad < kMaxDeparture_rad)) return std::nullopt;
+  return motion;
 }
 
 Motion CutHistory::motion_of(std::size_t move) const {

@@ -134,7 +134,8 @@ class CutHistory {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
   };
 
-  [[nodiscard]] bool is_known_motion(std::size_t move) const;
+  /// Returns the motion of a move; none: it or its tool is not known.
+  [[nodiscard]] std::optional<Motion> known_motion(std::size_t move) const;
   [[nodiscard]] std::size_t size() const { return path_.moves.size(); }
   [[nodiscard]] bool removes(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
   [[nodiscard]] bool touches(const CutBall& ball, std::size_t before, CutMove& hint) const;
@@ -149,8 +150,10 @@ class CutHistory {
   [[nodiscard]] bool may_cover(const MotionSpan& span, const SweptPiece& piece, const Vec3& middle) const;
   [[nodiscard]] bool covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const;
   [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
-  /// The departure of a move that is known.
-  [[nodiscard]] Departure departure_of(std::size_t move) const;
+  /// Returns the departure of a move that is known.
+  [[nodiscard]] const Departure& departure_of(std::size_t move) const {
+    return departures_.empty() ? tube_ : departures_[move];
+  }
   [[nodiscard]] MovePlaces places_of(std::size_t move, std::uint32_t segment) const;
   /// Returns whether a body may come within `within_mm` of the point during [t0, t1] of a segment of a move.
   [[nodiscard]] bool reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
@@ -167,8 +170,8 @@ class CutHistory {
   std::span<const StockHead> heads_;
   double resolution_mm_;
   Departure tube_;
-  bool departs_ = false;        // some move has a departure
-  std::vector<bool> is_known_;  // one for each move
+  std::vector<Departure> departures_;  // one for each move; empty: all are those of the tolerances
+  std::vector<bool> is_known_;         // one for each move
   std::vector<OfTool> of_tool_;
   std::vector<Unknown> unknown_;
 };
