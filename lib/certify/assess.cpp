@@ -76,22 +76,21 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   return fact;
 }
 
-/// Returns the largest coordinate of all meshes and of the stock along a direction.
-double top_along(const Vec3& axis, const CheckSetup& setup) {
+/// Returns the box about all meshes and the stock.
+Box3 box_of_all(const CheckSetup& setup) {
   Box3 all;
   for (const PreparedObstacle& obstacle : setup.scene.obstacles()) all.extend(box_of(obstacle.meshes));
   if (setup.stock != nullptr) all.extend(Box3(setup.stock->solid.low(), setup.stock->solid.high()));
-  double top = 0;
-  for (int k = 0; k < 3; ++k) top += std::max(axis[k] * all.min()[k], axis[k] * all.max()[k]);
-  return top;
+  return all;
 }
 
 /// A rapid from a place that is not known is clear only above everything.
 void settle_approaches(const Toolpath& path, const CheckSetup& setup, Assumptions& facts) {
   const auto fact = std::ranges::find(facts, Subject::completeness, &Assumption::subject);
-  if (fact == facts.end()) return;
+  if (fact == facts.end() || path.approaches.empty()) return;
+  const Box3 box = box_of_all(setup);
   for (const ApproachHeight& approach : path.approaches) {
-    const double top = top_along(approach.axis, setup);
+    const double top = highest_along(approach.axis, box);
     if (approach.height_mm > top) continue;
     fact->basis = Basis::unknown;
     fact->code = "gcode-approach";

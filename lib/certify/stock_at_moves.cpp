@@ -130,9 +130,7 @@ double StockAtMoves::excess_mm(const StockQuestion& about, const Motion& rest, s
 
 double StockAtMoves::lift_over_mm(const Pose& pose, const StockPlace& place) const {
   if (place.tool >= stock_.tools.size() || stock_.tools[place.tool].tool == nullptr) return 0;
-  const Vec3 &low = stock_.solid.low(), &high = stock_.solid.high();
-  double top = 0;
-  for (int k = 0; k < 3; ++k) top += std::max(pose.axis[k] * low[k], pose.axis[k] * high[k]);
+  const double top = highest_along(pose.axis, Box3(stock_.solid.low(), stock_.solid.high()));
   double lowest = stock_.tools[place.tool].tool->bare.z_min_mm;
   for (const StockHead& head : stock_.heads) lowest = std::min(lowest, head.around().z_min_mm);
   const double bottom = pose.tip.dot(pose.axis) + lowest;
