@@ -37,14 +37,18 @@ inline ReadOutcome read_program(const std::string& text, const std::string& cont
   return read_gcode("program.nc", SourceText(text), {std::move(setup), std::nullopt, std::move(harmless), ""}, {});
 }
 
-/// Returns the path of a program that can be read.
-inline Toolpath path_of_program(const std::string& text, const std::string& control, ProgramSetup setup = {}) {
-  ReadOutcome outcome = read_program(text, control, std::move(setup));
+/// Returns the path of what was read of a text; an empty one, with a failure, if it could not be read.
+inline Toolpath path_in(ReadOutcome outcome, const std::string& text) {
   if (!outcome.toolpath) {
     ADD_FAILURE() << text << "\n" << (outcome.errors.empty() ? "no path" : to_text(outcome.errors.front()));
     return {};
   }
   return std::move(*outcome.toolpath);
+}
+
+/// Returns the path of a program that can be read.
+inline Toolpath path_of_program(const std::string& text, const std::string& control, ProgramSetup setup = {}) {
+  return path_in(read_program(text, control, std::move(setup)), text);
 }
 
 /// Returns whether a verdict on the path can be clean: every move is checked, and no word is unknown.
@@ -57,14 +61,27 @@ inline bool can_be_clean(const ReadOutcome& outcome) {
   return true;
 }
 
-/// Returns the reasons of all moves that are not checked, with line ends between them.
+/// Returns the lines and reasons of all moves that are not checked, and all notes, with line ends between them.
 inline std::string reasons_of(const ReadOutcome& outcome) {
   std::string all;
   if (!outcome.toolpath) return outcome.errors.empty() ? all : to_text(outcome.errors.front());
   for (const Move& move : outcome.toolpath->moves)
-    if (!move.not_checked_reason.empty()) all += std::string(move.not_checked_reason) + "\n";
+    if (!move.not_checked_reason.empty())
+      all += std::to_string(move.line) + ": " + std::string(move.not_checked_reason) + "\n";
   for (const Diagnostic& note : outcome.toolpath->notes) all += note.message + "\n";
   return all;
+}
+
+inline void expect_open(const std::string& text, const std::string& control, const std::string& reason,
+                        const ProgramSetup& setup = {}) {
+  const ReadOutcome outcome = read_program(text, control, setup);
+  EXPECT_FALSE(can_be_clean(outcome)) << text;
+  EXPECT_NE(reasons_of(outcome).find(reason), std::string::npos) << text << "\n" << reasons_of(outcome);
+}
+
+inline void expect_checked(const std::string& text, const std::string& control, const ProgramSetup& setup = {}) {
+  const ReadOutcome outcome = read_program(text, control, setup);
+  EXPECT_TRUE(can_be_clean(outcome)) << text << "\n" << reasons_of(outcome);
 }
 
 inline void expect_tip(const Move& move, double x, double y, double z) {

@@ -6,18 +6,6 @@ namespace {
 
 constexpr const char* kStart = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG43 H1 G0 X0. Y0. Z80.\n";
 
-void expect_open(const std::string& text, const std::string& control, const std::string& reason,
-                 const ProgramSetup& setup = {}) {
-  const ReadOutcome outcome = read_program(text, control, setup);
-  EXPECT_FALSE(can_be_clean(outcome)) << text;
-  EXPECT_NE(reasons_of(outcome).find(reason), std::string::npos) << text << "\n" << reasons_of(outcome);
-}
-
-void expect_checked(const std::string& text, const std::string& control, const ProgramSetup& setup = {}) {
-  const ReadOutcome outcome = read_program(text, control, setup);
-  EXPECT_TRUE(can_be_clean(outcome)) << text << "\n" << reasons_of(outcome);
-}
-
 /// Facts of a machine whose G54 is its zero, with tools of 60 mm and 50 mm.
 ProgramSetup measured() {
   ProgramSetup setup;

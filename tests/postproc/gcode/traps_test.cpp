@@ -14,18 +14,6 @@ ProgramSetup on(std::shared_ptr<const Machine> machine) {
   return setup;
 }
 
-void expect_open(const std::string& text, const std::string& control, const std::string& reason,
-                 const ProgramSetup& setup = {}) {
-  const ReadOutcome outcome = read_program(text, control, setup);
-  EXPECT_FALSE(can_be_clean(outcome)) << text;
-  EXPECT_NE(reasons_of(outcome).find(reason), std::string::npos) << text << "\n" << reasons_of(outcome);
-}
-
-void expect_checked(const std::string& text, const std::string& control, const ProgramSetup& setup = {}) {
-  const ReadOutcome outcome = read_program(text, control, setup);
-  EXPECT_TRUE(can_be_clean(outcome)) << text << "\n" << reasons_of(outcome);
-}
-
 std::string fanuc(const std::string& blocks) { return kFanucStart + blocks + "M30\n"; }
 
 TEST(GcodeTraps, T01_CodesThatEndAnotherModeThanTheirs) {

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <memory>
 #include <string>
 
-#include "lib/machine/read_machine.h"
-#include "postproc/gcode/reading/read_gcode.h"
+#include "tests/postproc/gcode/program.h"
 
 // Programs of Siemens controls as text, and what is read of them.
 
@@ -45,33 +42,7 @@ inline constexpr std::size_t kHeadMoves = 1;
 
 /// Returns the path of a program that can be read.
 inline Toolpath path_of_siemens(const std::string& text, ProgramSetup setup = {}) {
-  ReadOutcome outcome = read_siemens(text, std::move(setup));
-  if (!outcome.toolpath) {
-    ADD_FAILURE() << text << "\n" << (outcome.errors.empty() ? "no path" : to_text(outcome.errors.front()));
-    return {};
-  }
-  return std::move(*outcome.toolpath);
-}
-
-/// Returns whether a verdict on the path can be clean: every move is checked, and no fact is unknown.
-inline bool can_be_clean(const ReadOutcome& outcome) {
-  if (!outcome.toolpath || !outcome.toolpath->words_not_understood.empty()) return false;
-  for (const Move& move : outcome.toolpath->moves)
-    if (!move.not_checked_reason.empty()) return false;
-  for (const Assumption& fact : outcome.toolpath->assumptions)
-    if (fact.basis == Basis::unknown || fact.basis == Basis::contradicted) return false;
-  return true;
-}
-
-/// Returns the reasons of all moves that are not checked, and all notes, with line ends between them.
-inline std::string reasons_of(const ReadOutcome& outcome) {
-  std::string all;
-  if (!outcome.toolpath) return outcome.errors.empty() ? all : to_text(outcome.errors.front());
-  for (const Move& move : outcome.toolpath->moves)
-    if (!move.not_checked_reason.empty())
-      all += std::to_string(move.line) + ": " + std::string(move.not_checked_reason) + "\n";
-  for (const Diagnostic& note : outcome.toolpath->notes) all += note.message + "\n";
-  return all;
+  return path_in(read_siemens(text, std::move(setup)), text);
 }
 
 /// Returns the tip at the end of the last move of blocks that follow the head; they must all be checked.
