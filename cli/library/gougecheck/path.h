@@ -13,7 +13,7 @@ namespace gougecheck {
 enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
 
 /// Facts about a program of a machine's control (G-code), as texts of the options of `gougecheck check` with these names.
-/// What is empty is not stated.
+/// An empty text states nothing.
 struct GOUGECHECK_EXPORT ProgramOptions {
   std::string control;  ///< "linuxcnc", "haas", ...; empty: that of the machine
   std::string machine;  ///< machine file or preset; empty: a program without rotary words
