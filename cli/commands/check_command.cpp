@@ -66,7 +66,8 @@ const OptionRows<CheckArguments>& check_options() {
              command
                  .add_option(
                      "--certificate", a.job.certificate_file,
-                     "Write the proofs for 'gougecheck verify RESULT.json --certificate FILE' (- for standard output)")
+                     "Write the proofs for 'gougecheck verify RESULT.json --certificate FILE' (- for standard output). They are "
+                     "about parts and fixtures, not about remaining stock")
                  ->type_name("FILE");
            },
        .group = kOutputGroup},

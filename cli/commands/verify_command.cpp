@@ -277,8 +277,9 @@ std::string verified_text(const Verification& v) {
   if (v.stock_witnesses > 0)
     text += "verified: " + count_text(v.stock_witnesses, "witness", "witnesses") +
             " in the stock (point in the stock, pose, depth, no earlier cutter there)\n";
-  const char* const except =
-      v.has_heads ? ", of the tool without its heads" : ", at every instant and for every triangle";
+  const std::string except =
+      std::string(v.stock ? " against parts and fixtures" : "") +
+      (v.has_heads ? ", of the tool without its heads" : ", at every instant and for every triangle");
   if (v.proved_clean > 0) text += "verified: " + moves(v.proved_clean) + " proved clean" + except + "\n";
   if (v.proved_gouges > 0)
     text += "verified: " + count_text(v.proved_gouges, "gouging move") + " proved to be no deeper than said" + except +

@@ -126,11 +126,11 @@ std::vector<MoveClaim> claims_of(const CheckResult& result) {
   std::vector<MoveClaim> claims;
   claims.reserve(result.verdicts.size());
   for (const MoveVerdict& verdict : result.verdicts) {
-    MoveClaim claim;
+    MoveClaim& claim = claims.emplace_back();
+    if (verdict.is_in_stock()) continue;
     claim.state = claimed_state(verdict.state);
     claim.depth_mm = verdict.depth_mm;
     if (std::isfinite(verdict.depth_upper_mm)) claim.depth_upper_mm = verdict.depth_upper_mm;
-    claims.push_back(claim);
   }
   return claims;
 }

@@ -20,6 +20,7 @@ namespace gouge {
 
 [[nodiscard]] ClaimedState claimed_state(MoveState state);
 
+/// Returns the claims about parts and fixtures. A move with a finding in remaining stock is clean of these.
 [[nodiscard]] std::vector<MoveClaim> claims_of(const CheckResult& result);
 
 /// Returns the SHA-256 of the roles and checksums of all inputs, in their order. A certificate holds for inputs with

@@ -179,9 +179,6 @@ std::optional<Diagnostic> find_wrong_stock(const JobArguments& arguments) {
   if (!arguments.write_stock.empty() && !is_stl_name(arguments.write_stock))
     return usage_error("--write-stock", arguments.write_stock,
                        "a file whose name ends with .stl; a mesh does not go to standard output");
-  if (!arguments.certificate_file.empty())
-    return make_error("usage",
-                      "--certificate does not prove that moves are clear of the stock; leave out --stock for it");
   return std::nullopt;
 }
 

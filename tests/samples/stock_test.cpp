@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
@@ -102,8 +103,7 @@ TEST_F(StockSample, AllOutputsHaveTheFinding) {
 TEST_F(StockSample, WhatItDoesNotCoverIsRefused) {
   ASSERT_EQ(run("rapid_stock", {"--stock", "part+5"}).exit_status, 1);
   for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--stock", "box", "--certificate", "c.bin"},
-        std::vector<std::string>{"--stock", "box=x"}, std::vector<std::string>{"--stock", "part+-1"},
+       {std::vector<std::string>{"--stock", "box=x"}, std::vector<std::string>{"--stock", "part+-1"},
         std::vector<std::string>{"--stock", "box", "--stock-resolution", "0"}}) {
     const Outcome ran = run_again(more);
     EXPECT_EQ(ran.exit_status, 2) << ran.err;
@@ -163,6 +163,17 @@ TEST_F(StockSample, VerifyTestsTheWitnessesAndTheClearMoves) {
   const Outcome false_clean = verified("moved cut");
   EXPECT_EQ(false_clean.exit_status, 1);
   EXPECT_NE(false_clean.out.find("stock is left"), std::string::npos) << false_clean.out;
+}
+
+TEST_F(StockSample, CertificatesProveTheClaimsAboutThePart) {
+  for (const auto& [sample, stock] : {std::pair("rapid_stock", "part+5"), std::pair("holder_stock", "box")}) {
+    ASSERT_EQ(run(sample, {"--stock", stock, "--json", "check.json", "--certificate", "proofs.gcp"}).exit_status, 1);
+    const Outcome ran = run_gougecheck(sample_.path, {"verify", "check.json", "--certificate", "proofs.gcp"});
+    EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("proved clean against parts and fixtures, at every instant"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("said to be clear of the stock"), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find("result: verified"), std::string::npos) << ran.out;
+  }
 }
 
 TEST_F(StockSample, VerifyAcceptsTheHolderInTheWall) {
