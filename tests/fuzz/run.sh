@@ -23,7 +23,8 @@ choose() {
     fuzz_import_freecad) words=$here/tools.dict most=8000 seeds=("$here/../corpus/tool/freecad") ;;
     fuzz_import_fusion) words=$here/tools.dict most=8000 seeds=("$here/../corpus/tool") ;;
     fuzz_siemens) words=$here/siemens.dict most=4000 seeds=() ;;
-    fuzz_klartext) words=$here/klartext.dict most=4000 seeds=() ;;
+    fuzz_heidenhain) words=$here/heidenhain.dict most=4000 seeds=() ;;
+    fuzz_linuxcnc | fuzz_haas | fuzz_fanuc) words=$here/iso.dict most=4000 seeds=() ;;
     fuzz_job_list) words=$here/jobs.dict most=2000 seeds=() ;;
     fuzz_result | fuzz_project) words=$here/results.dict most=9000 seeds=() ;;
     fuzz_certificate) words=$here/results.dict most=3000 seeds=() ;;
