@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,27 @@ namespace gouge {
 
 [[nodiscard]] constexpr char capital(char c) { return is_small(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 [[nodiscard]] constexpr char small(char c) { return is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// A set of capital letters.
+class CapitalSet {
+ public:
+  constexpr CapitalSet() = default;
+  /// Requires capital letters.
+  constexpr explicit CapitalSet(std::string_view letters) {
+    for (const char letter : letters) add(letter);
+  }
+  /// Requires a capital letter.
+  constexpr void add(char letter) { bits_ |= bit_of(letter); }
+  [[nodiscard]] constexpr bool has(char c) const { return is_capital(c) && (bits_ & bit_of(c)) != 0; }
+  [[nodiscard]] constexpr bool has_any(const CapitalSet& other) const { return (bits_ & other.bits_) != 0; }
+
+ private:
+  [[nodiscard]] static constexpr std::uint32_t bit_of(char letter) {
+    return std::uint32_t{1} << static_cast<unsigned>(letter - 'A');
+  }
+
+  std::uint32_t bits_ = 0;
+};
 
 [[nodiscard]] inline std::string in_capitals(std::string_view text) {
   std::string made(text);

@@ -43,8 +43,13 @@ void check_comment(std::string_view comment, KlartextBlock& block) {
 
 /// Adds a line in capitals without its comment. Text between quotation marks stays.
 void add_code(std::string_view line, KlartextBlock& block) {
+  const auto is_mark = [](char c) { return c == '"' || c == ';'; };
+  const auto plain = static_cast<std::size_t>(std::ranges::find_if(line, is_mark) - line.begin());
+  const std::size_t begin = block.text.size();
+  block.text += line.substr(0, plain);
+  for (std::size_t i = begin; i < block.text.size(); ++i) block.text[i] = capital(block.text[i]);
   bool is_quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
+  for (std::size_t i = plain; i < line.size(); ++i) {
     const char c = line[i];
     if (c == '"') is_quoted = !is_quoted;
     if (c == ';' && !is_quoted) return check_comment(line.substr(i), block);
@@ -106,6 +111,7 @@ KlartextBlock read_klartext_block(const ProgramText& text, std::size_t index) {
 }
 
 bool take_keywords(std::string_view& text, std::string_view keywords) {
+  if (text.empty() || (is_capital(text[0]) && text[0] != keywords[0])) return false;
   std::string_view rest = text;
   while (!keywords.empty()) {
     const std::size_t length = std::min(keywords.find(' '), keywords.size());

@@ -24,10 +24,9 @@ class WordReader {
         if (!take_text(words.back())) return "a text without its closing quotation mark";
         continue;
       }
-      KlartextWord word;
+      KlartextWord& word = words.emplace_back();
       if (!take_name(word)) return "'" + std::string(text_.substr(0, 20)) + "' is not understood";
       if (!take_value(word)) return word.name + " has no value that is understood";
-      words.push_back(std::move(word));
     }
     return {};
   }
@@ -54,7 +53,7 @@ class WordReader {
 
   bool take_value(KlartextWord& word) {
     const std::string_view before = text_;
-    if (word.name == "MODE" && text_.starts_with(':')) text_.remove_prefix(1);  // HSC-MODE:1
+    if (text_.starts_with(':') && word.name == "MODE") text_.remove_prefix(1);  // HSC-MODE:1
     skip();
     const bool has_sign = !text_.empty() && (text_[0] == '+' || text_[0] == '-');
     const double sign = has_sign && text_[0] == '-' ? -1 : 1;

@@ -86,7 +86,8 @@ class PathWordTaker {
   }
 
   bool take_function(std::span<const KlartextWord> words, std::size_t& i) {
-    const auto number = words[i].name == "M" ? whole_number(words[i]) : std::nullopt;
+    const bool is_function = words[i].name.size() == 1 && words[i].name[0] == 'M';
+    const auto number = is_function ? whole_number(words[i]) : std::nullopt;
     if (!number || !words[i].parameter.empty()) return false;
     const KlartextFunction* const row = find_klartext_function(*number);
     if (row == nullptr) return std::ranges::find(harmless_, "M" + std::to_string(*number)) != harmless_.end();

@@ -26,8 +26,9 @@ bool has_tool_code(const ProgramText& text) {
   const SiemensVariables variables;
   SiemensBlock block;
   for (std::size_t i = text.begin(); i < text.end(); ++i) {
-    if (text.line(i).find_first_of("Mm") == std::string_view::npos) continue;
-    read_siemens_block(text.line(i), variables, block);
+    const std::string_view line = text.line(i);
+    if (line.find('M') == std::string_view::npos && line.find('m') == std::string_view::npos) continue;
+    read_siemens_block(line, variables, block);
     if (std::ranges::find(block.words, "M6", &SiemensWord::name) != block.words.end()) return true;
   }
   return false;

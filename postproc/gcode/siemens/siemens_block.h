@@ -28,8 +28,7 @@ struct SiemensWord {
   std::string name;  ///< in capitals; of G and M with the number: "G54"
   Form form = Form::alone;
   double value = kUnknownValue;  ///< of Form::number
-  std::string text;              ///< of a string: T="MILL 8"
-  std::string digits;            ///< of L, whose zeros count: L010
+  std::string text;              ///< of a string: T="MILL 8"; of L its digits, as their zeros count: L010
   SiemensMeasure measure = SiemensMeasure::modal;
   std::vector<SiemensArgument> arguments;  ///< of Form::call
 };

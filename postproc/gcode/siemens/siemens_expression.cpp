@@ -283,7 +283,8 @@ double read_siemens_number(GcodeCursor& c) {
   const std::size_t begin = c.at;
   if (c.peek() == '-' || c.peek() == '+') ++c.at;
   while (is_digit(c.peek()) || c.peek() == '.') ++c.at;
-  std::string text(c.text.substr(begin, c.at - begin));
+  const std::string_view digits = c.text.substr(begin, c.at - begin);
+  std::optional<double> number;
   const auto at = [&](std::size_t i) { return c.at + i < c.text.size() ? capital(c.text[c.at + i]) : '\0'; };
   const std::size_t sign = at(2) == '-' || at(2) == '+' ? 1 : 0;
   if (at(0) == 'E' && at(1) == 'X' && is_digit(at(2 + sign))) {
@@ -291,9 +292,10 @@ double read_siemens_number(GcodeCursor& c) {
     const std::size_t exponent = c.at;
     c.at += sign;
     while (is_digit(c.peek())) ++c.at;
-    text += "e" + std::string(c.text.substr(exponent, c.at - exponent));
+    number = parse_number(std::string(digits) + "e" + std::string(c.text.substr(exponent, c.at - exponent)));
+  } else {
+    number = parse_number(digits);
   }
-  const auto number = parse_number(text);
   if (!number) c.fail("a word without its number");
   return number.value_or(kUnknownValue);
 }

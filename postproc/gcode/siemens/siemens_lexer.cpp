@@ -54,15 +54,16 @@ class SiemensLexer {
   }
 
   void read_address() {
+    const char address = at(0);
     SiemensWord& word = block_.words.emplace_back();
-    word.name = std::string(1, at(0));
+    word.name = address;
     word.form = SiemensWord::Form::number;
     ++c_.at;
     const std::size_t begin = c_.at;
     word.value = read_siemens_number(c_);
-    if (word.name == "L") word.digits = std::string(trim_blanks(c_.text.substr(begin, c_.at - begin)));
+    if (address == 'L') word.text = std::string(trim_blanks(c_.text.substr(begin, c_.at - begin)));
     if (!c_.error.empty()) c_.error = word.name + ": " + c_.error;
-    if (word.name != "G" && word.name != "M") return;
+    if (address != 'G' && address != 'M') return;
     constexpr double kMaxCode = 99999;
     const bool is_code = word.value >= 0 && word.value <= kMaxCode;
     if (!is_code) return c_.fail(word.name + " without the number of a code");

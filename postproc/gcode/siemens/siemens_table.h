@@ -81,7 +81,6 @@ enum class SiemensGroup : std::uint8_t {
   transformation,
   frame
 };
-inline constexpr std::size_t kSiemensGroups = 16;
 
 struct SiemensRow {
   std::string_view name;

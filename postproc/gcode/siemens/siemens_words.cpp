@@ -11,12 +11,12 @@ namespace {
 using Form = SiemensWord::Form;
 
 // Addresses whose values a code or a mode takes.
-constexpr std::string_view kLetters = "XYZABCIJKFDTPL";
+constexpr CapitalSet kLetters("XYZABCIJKFDTPL");
 constexpr auto kLongAddresses = std::to_array<std::string_view>(
     {"A3", "B3", "C3", "I1", "J1", "K1", "CR", "TURN", "AR", "ADIS", "ADISPOS", "CTOL", "OTOL", "RPL"});
 
 bool is_address(std::string_view name) {
-  if (name.size() == 1) return kLetters.find(name[0]) != std::string_view::npos;
+  if (name.size() == 1) return kLetters.has(name[0]);
   return std::ranges::find(kLongAddresses, name) != kLongAddresses.end();
 }
 
@@ -42,10 +42,20 @@ bool is_spindle_code(const SiemensWord& word) {
 
 }  // namespace
 
-const SiemensWord* SiemensWords::value(std::string_view address) const {
+const SiemensWord* SiemensWords::find_value(std::string_view address) const {
   for (const SiemensWord* word : values_)
     if (is_name(*word, address)) return word;
   return nullptr;
+}
+
+bool SiemensWords::has_axes() const {
+  constexpr CapitalSet kAxes("XYZABC");
+  return letters_.has_any(kAxes) || (has_long_ && has_any({"A3", "B3", "C3"}));
+}
+
+bool SiemensWords::has_arc_words() const {
+  constexpr CapitalSet kCentre("IJK");
+  return letters_.has_any(kCentre) || (has_long_ && has_any({"I1", "J1", "K1", "CR", "AR", "TURN"}));
 }
 
 bool SiemensWords::has_any(std::initializer_list<std::string_view> addresses) const {
@@ -78,19 +88,24 @@ std::string SiemensWords::take_code(const SiemensWord& word, const SiemensRow& r
 
 std::string SiemensWords::take_value(const SiemensWord& word) {
   if (value(word.name) != nullptr) return word.name + " occurs twice in the block";
-  if (!word.text.empty() && word.name != "T") return word.name + " has a text in place of a number";
-  const bool is_spindle = word.name == "M1" && is_spindle_code(word);
-  if (word.name == "M1" && !is_spindle) return text_of(word) + " is no code of a spindle";
+  if (!word.text.empty() && word.name != "T" && word.name != "L") return word.name + " has a text in place of a number";
+  if (is_name(word, "M1") && !is_spindle_code(word)) return text_of(word) + " is no code of a spindle";
   const bool is_known_address = is_address(word.name) || is_harmless_value(word.name) ||
                                 (is_of_fixed_point(word.name) && code(SiemensMeaning::leave_to_fixed_point) != nullptr);
   if (!is_known_address) return text_of(word) + " is not in the table of Siemens 840D";
   values_.push_back(&word);
+  if (is_letter(word.name))
+    letters_.add(word.name[0]);
+  else
+    has_long_ = true;
   return {};
 }
 
 std::string SiemensWords::take(const SiemensBlock& block, const std::vector<std::string>& harmless) {
   codes_.clear();
   values_.clear();
+  letters_ = {};
+  has_long_ = false;
   called_.clear();
   const auto is_stated_harmless = [&](const SiemensWord& word) {
     return std::ranges::any_of(harmless, [&](const std::string& name) { return in_capitals(name) == word.name; });
@@ -112,7 +127,7 @@ std::string SiemensWords::take(const SiemensBlock& block, const std::vector<std:
   }
   if (const SiemensWord* const program = value("L"); program != nullptr) {
     if (!called_.empty() || !is_known(program->value)) return "L does not name a program that is called alone";
-    called_ = "L" + (program->digits.empty() ? exact_text(program->value) : program->digits);
+    called_ = "L" + (program->text.empty() ? exact_text(program->value) : program->text);
   }
   return find_conflict();
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <array>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "lib/base/letters.h"
 #include "postproc/gcode/siemens/siemens_block.h"
 #include "postproc/gcode/siemens/siemens_table.h"
 
@@ -26,22 +27,32 @@ class SiemensWords {
   [[nodiscard]] const Code* code(SiemensMeaning meaning) const;
   [[nodiscard]] const Code* code_of(SiemensGroup group) const;
   /// Returns the word with a value by its address; null: the block has none.
-  [[nodiscard]] const SiemensWord* value(std::string_view address) const;
+  [[nodiscard]] const SiemensWord* value(std::string_view address) const {
+    return may_have(address) ? find_value(address) : nullptr;
+  }
   [[nodiscard]] bool has_any(std::initializer_list<std::string_view> addresses) const;
   [[nodiscard]] bool has_path_axes() const { return has_any({"X", "Y", "Z"}); }
-  [[nodiscard]] bool has_axes() const { return has_any({"X", "Y", "Z", "A", "B", "C", "A3", "B3", "C3"}); }
-  [[nodiscard]] bool has_arc_words() const { return has_any({"I", "J", "K", "I1", "J1", "K1", "CR", "AR", "TURN"}); }
+  [[nodiscard]] bool has_axes() const;
+  [[nodiscard]] bool has_arc_words() const;
   /// Name of the program that the block calls; empty: it calls none.
   [[nodiscard]] const std::string& called() const { return called_; }
 
  private:
+  [[nodiscard]] static bool is_letter(std::string_view address) {
+    return address.size() == 1 && is_capital(address[0]);
+  }
+  [[nodiscard]] bool may_have(std::string_view address) const {
+    return is_letter(address) ? letters_.has(address[0]) : has_long_;
+  }
+  [[nodiscard]] const SiemensWord* find_value(std::string_view address) const;
   [[nodiscard]] std::string take_code(const SiemensWord& word, const SiemensRow& row);
   [[nodiscard]] std::string take_value(const SiemensWord& word);
   [[nodiscard]] std::string find_conflict() const;
 
   std::vector<Code> codes_;
-  std::array<const Code*, kSiemensGroups> groups_{};
   std::vector<const SiemensWord*> values_;
+  CapitalSet letters_;     // addresses of one letter in values_
+  bool has_long_ = false;  // values_ has a longer address
   std::string called_;
 };
 
