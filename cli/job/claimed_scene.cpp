@@ -56,6 +56,16 @@ ClaimedJoints claimed_joints(const Machine& machine, const Job& job) {
   return joints;
 }
 
+/// Adds the joints of a machine, with the length of each tool that has its own.
+void add_joints(const ClaimedJoints& joints, ClaimedScene& scene) {
+  scene.joints = joints;
+  scene.joints_of_tool.clear();
+  for (const PathTool& tool : scene.path.tools) {
+    scene.joints_of_tool.push_back(joints);
+    if (tool.gauge_length_mm) scene.joints_of_tool.back().tool_length_mm = *tool.gauge_length_mm;
+  }
+}
+
 }  // namespace
 
 ClaimedScene claimed_scene(const Job& job) {
@@ -63,7 +73,7 @@ ClaimedScene claimed_scene(const Job& job) {
   ClaimedScene scene{job.toolpath, job.tools(), job.scene().parts, job.scene().fixtures, {}};
   for (const HeadBody& head : job.heads()) scene.heads.emplace_back(head.whole.mesh());
   scene.axis_law = options.law.name();
-  if (job.machine) scene.joints = claimed_joints(*job.machine, job);
+  if (job.machine) add_joints(claimed_joints(*job.machine, job), scene);
   scene.is_dogleg = options.law.rapid() == RapidMode::dogleg;
   scene.tolerance_mm = options.tolerance_mm;
   scene.resolution_mm = options.resolution_mm;
@@ -81,7 +91,7 @@ ClaimedProgram program_of(const ClaimedScene& of_path, const Toolpath& path, con
   ClaimedProgram program{ClaimedScene{path, {}, {}, {}, {}}, {}, {}};
   program.scene.axis_law = of_path.axis_law;
   program.scene.is_dogleg = of_path.is_dogleg;
-  program.scene.joints = of_path.joints;
+  if (of_path.joints) add_joints(*of_path.joints, program.scene);
   for (const StockTool& tool : tools) {
     program.scene.tools.push_back(tool.tool);
     program.bare.push_back(tool.tool);

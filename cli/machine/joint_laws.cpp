@@ -27,9 +27,8 @@ std::optional<Diagnostic> add_joint_laws(const Machine& machine, const TurnLaws&
                       "joints and an exact tool length; expected single values in place of intervals on machine " +
                           machine.name,
                       path.file);
-  const double length_mm = tool_length_mm.value_or(0);
-  law.set_joint_axes(std::make_shared<const JointLaw>(machine, JointTiming::together, length_mm),
-                     std::make_shared<const JointLaw>(machine, timing_of(laws.joint_rapids), length_mm));
+  law.set_joint_axes(std::make_shared<const JointLaw>(machine, JointTiming::together, tool_length_mm),
+                     std::make_shared<const JointLaw>(machine, timing_of(laws.joint_rapids), tool_length_mm));
   return std::nullopt;
 }
 

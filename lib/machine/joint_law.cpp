@@ -158,18 +158,25 @@ std::shared_ptr<const AxisPath> JointLaw::between(const Pose& from, const Pose& 
   return of_move(nullptr, 0, from, to);
 }
 
-std::shared_ptr<const AxisPath> JointLaw::of_move(const JointPath* joints, std::size_t move, const Pose& from,
+std::optional<double> JointLaw::length_of(const Toolpath* path, std::size_t move) const {
+  if (!has_rotary_head(*machine_)) return 0;
+  return path == nullptr ? tool_length_mm_ : gauge_length_of_move(*path, move, tool_length_mm_);
+}
+
+std::shared_ptr<const AxisPath> JointLaw::of_move(const Toolpath* path, std::size_t move, const Pose& from,
                                                   const Pose& to) const {
+  const JointPath* const joints = path == nullptr ? nullptr : path->joints.get();
   const auto angles = angles_of_move(*machine_, joints, move, from.axis, to.axis);
-  if (!angles) {
+  const std::optional<double> length_mm = length_of(path, move);
+  if (!angles || !length_mm) {
     // Any standing angles give a straight line, if all joints run together.
     const bool is_line = timing_ == JointTiming::together || from.tip == to.tip;
     return from.axis == to.axis && is_line ? standing_at(from.axis) : nullptr;
   }
-  JointRuns runs = runs_between(*machine_, from.tip, to.tip, *angles, tool_length_mm_);
+  JointRuns runs = runs_between(*machine_, from.tip, to.tip, *angles, *length_mm);
   if (timing_ == JointTiming::independent && arrive_independently(*machine_, runs) != nullptr) return nullptr;
   if (timing_ == JointTiming::unknown && several_move(*machine_, runs)) return nullptr;
-  return std::make_shared<ChainRun>(machine_, std::move(runs), tool_length_mm_);
+  return std::make_shared<ChainRun>(machine_, std::move(runs), *length_mm);
 }
 
 std::string JointLaw::why_open(const Toolpath& path, std::size_t index) const {
@@ -177,9 +184,11 @@ std::string JointLaw::why_open(const Toolpath& path, std::size_t index) const {
   const Pose& from = path.start_of(index);
   const auto angles = angles_of_move(*machine_, path.joints.get(), index, from.axis, move.end.axis);
   if (!angles) return {};
-  if (has_rotary_head(*machine_) && path.tools.size() > 1)
+  const std::optional<double> length_mm = length_of(&path, index);
+  if (!length_mm && tool_length_mm_)
     return "the length of one tool is stated, and the path has " + std::to_string(path.tools.size());
-  JointRuns runs = runs_between(*machine_, from.tip, move.end.tip, *angles, tool_length_mm_);
+  if (!length_mm) return "the length from the gauge point to the tip is not stated";
+  JointRuns runs = runs_between(*machine_, from.tip, move.end.tip, *angles, *length_mm);
   if (move.curve_kind != CurveKind::none) {
     if (timing_ != JointTiming::together) return "no manual states how joints run along a curve at their own rates";
     const bool turns =

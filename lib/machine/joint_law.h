@@ -20,27 +20,30 @@ enum class JointTiming {
 /// docs/method/machine.md.
 class JointLaw : public AxisLaw {
  public:
-  /// `tool_length_mm`: from the gauge point to the tip; no motion of a machine without a rotary head depends on it.
-  /// Requires the points of rotary joints.
-  JointLaw(Machine machine, JointTiming timing, double tool_length_mm)
+  /// `tool_length_mm`: from the gauge point to the tip, as in gauge_length_of_move; none: only the tools of the path state
+  /// it. No motion of a machine without a rotary head depends on it. Requires the points of rotary joints.
+  JointLaw(Machine machine, JointTiming timing, std::optional<double> tool_length_mm)
       : machine_(std::make_shared<const Machine>(std::move(machine))),
         timing_(timing),
         tool_length_mm_(tool_length_mm) {}
 
   /// Uses the nearest angles of both axes. Returns null if the machine cannot reach one of them, or if a joint without a
-  /// rate runs independently beside others.
+  /// rate runs independently beside others. The same for a rotary head whose tool length is not known.
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override;
   /// Uses the angles chosen for the path if they give both axes; otherwise the same as `between`.
-  [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Pose& from,
+  [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const Toolpath* path, std::size_t move, const Pose& from,
                                                         const Pose& to) const override;
   [[nodiscard]] std::string why_open(const Toolpath& path, std::size_t move) const override;
   [[nodiscard]] bool bends_without_turning() const override { return timing_ != JointTiming::together; }
   [[nodiscard]] std::string name() const override;
 
  private:
+  /// Returns the tool length of a motion; 0 where no motion depends on it. None: it is not known.
+  [[nodiscard]] std::optional<double> length_of(const Toolpath* path, std::size_t move) const;
+
   std::shared_ptr<const Machine> machine_;
   JointTiming timing_;
-  double tool_length_mm_;
+  std::optional<double> tool_length_mm_;
 };
 
 }  // namespace gouge

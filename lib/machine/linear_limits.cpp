@@ -41,14 +41,15 @@ LinearLimits check_linear_limits(const Machine& machine, const Toolpath& path,
       machine.linear, [&](std::size_t k) { return machine.joints[k].min || machine.joints[k].max; });
   if (!machine.is_placed || !has_limits) return limits;
   const std::vector<Machine> others = with_other_points(machine);
-  const double length_mm = tool_length_mm.value_or(0);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const auto& angles = path.joints->end[i];
     if (!angles) continue;
+    const std::optional<double> stated_mm = gauge_length_of_move(path, i, tool_length_mm);
+    const double length_mm = stated_mm.value_or(0);
     const Vec3& tip = path.moves[i].end.tip;
     const JointValues values = inverse(machine, tip, *angles, length_mm);
     std::vector<JointValues> possible;
-    if (!tool_length_mm) possible.push_back(inverse(machine, tip, *angles, 1));
+    if (!stated_mm) possible.push_back(inverse(machine, tip, *angles, 1));
     for (const Machine& other : others) possible.push_back(inverse(other, tip, *angles, length_mm));
     const auto is_open = [&](std::size_t k) {
       return std::ranges::any_of(possible, [&](const JointValues& other) {

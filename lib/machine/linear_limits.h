@@ -16,7 +16,7 @@ struct LinearLimits {
 };
 
 /// Compares the linear joints at the positions of a path with their limits. Between positions they are not compared.
-/// `tool_length_mm`: from the gauge point to the tip. Requires Toolpath::joints. Without Machine::is_placed there are no
+/// `tool_length_mm`: from the gauge point to the tip, as in gauge_length_of_move. Requires Toolpath::joints. Without Machine::is_placed there are no
 /// problems, as the values then count from the part zero.
 [[nodiscard]] LinearLimits check_linear_limits(const Machine& machine, const Toolpath& path,
                                                const std::optional<double>& tool_length_mm);

@@ -6,6 +6,7 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/path/path_info.h"
+#include "lib/path/toolpath.h"
 
 namespace gouge {
 namespace {
@@ -114,8 +115,9 @@ std::shared_ptr<const AxisPath> RotaryLaw::between(const Pose& from, const Pose&
   return of_move(nullptr, 0, from, to);
 }
 
-std::shared_ptr<const AxisPath> RotaryLaw::of_move(const JointPath* joints, std::size_t move, const Pose& from,
+std::shared_ptr<const AxisPath> RotaryLaw::of_move(const Toolpath* path, std::size_t move, const Pose& from,
                                                    const Pose& to) const {
+  const JointPath* const joints = path == nullptr ? nullptr : path->joints.get();
   if (const auto angles = angles_of_move(machine_, joints, move, from.axis, to.axis))
     return std::make_shared<EvenTurn>(machine_, angles->from, angles->to);
   return from.axis == to.axis ? standing_at(from.axis) : nullptr;

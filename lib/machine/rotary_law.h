@@ -18,7 +18,7 @@ class RotaryLaw : public AxisLaw {
   /// the machine does not reach one of them.
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override;
   /// Returns the angles chosen for the path, where they are those of the directions; else as `between`.
-  [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Pose& from,
+  [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const Toolpath* path, std::size_t move, const Pose& from,
                                                         const Pose& to) const override;
   [[nodiscard]] LawScope scope() const override { return scope_; }
   [[nodiscard]] std::string name() const override;

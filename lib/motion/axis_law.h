@@ -85,9 +85,9 @@ class AxisLaw {
   /// Returns null where the law leaves the way open, but never for equal poses. Requires unit axes. The ends of the path
   /// are these poses, to rounding.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const = 0;
-  /// Returns the same for a move of a path with the angles of `joints`, whose history decides between several ways; may
-  /// be null.
-  [[nodiscard]] virtual std::shared_ptr<const AxisPath> of_move(const JointPath* /*joints*/, std::size_t /*move*/,
+  /// Returns the same for a move of a path. Its Toolpath::joints, whose history decides between several ways, and its
+  /// tool count. Null: a motion that is in no path.
+  [[nodiscard]] virtual std::shared_ptr<const AxisPath> of_move(const Toolpath* /*path*/, std::size_t /*move*/,
                                                                 const Pose& from, const Pose& to) const {
     return between(from, to);
   }

@@ -47,22 +47,22 @@ double off_circle_rad(const MotionRates& rates) {
 
 }  // namespace
 
-Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law, const JointPath* joints, std::size_t move)
+Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law, const Toolpath* path, std::size_t move)
     : start_(start), end_(end), whole_{0, 1, start.tip, end.tip} {
   if (law == nullptr) {
     turn_on_great_circle();
     return;
   }
-  std::shared_ptr<const AxisPath> path = law->of_move(joints, move, start, end);
+  std::shared_ptr<const AxisPath> turn = law->of_move(path, move, start, end);
   if (law->scope() == LawScope::documented || law->scope() == LawScope::circle) {
     turn_on_great_circle();
-    is_defined_ = is_defined_ && path != nullptr;
-    if (path != nullptr) end_directions_ = {path->axes_at(0), path->axes_at(1)};
-    if (law->scope() == LawScope::documented) other_path_ = std::move(path);
+    is_defined_ = is_defined_ && turn != nullptr;
+    if (turn != nullptr) end_directions_ = {turn->axes_at(0), turn->axes_at(1)};
+    if (law->scope() == LawScope::documented) other_path_ = std::move(turn);
     return;
   }
   is_any_ = law->scope() == LawScope::any;
-  axis_path_ = std::move(path);
+  axis_path_ = std::move(turn);
   is_defined_ = axis_path_ != nullptr;
   if (is_defined_ && axis_path_->tip_path() != nullptr) run_by_law();
 }

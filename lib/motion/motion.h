@@ -86,9 +86,8 @@ class Motion {
  private:
   friend class MotionLaw;
 
-  /// Tip on a straight line. Requires unit axes. `law`: null for the great circle; `move`: of the path of `joints`.
-  Motion(const Pose& start, const Pose& end, const AxisLaw* law, const JointPath* joints = nullptr,
-         std::size_t move = 0);
+  /// Tip on a straight line. Requires unit axes. `law`: null for the great circle; `path`: null for a motion of no path.
+  Motion(const Pose& start, const Pose& end, const AxisLaw* law, const Toolpath* path = nullptr, std::size_t move = 0);
   /// The axes of the machine run at one speed until each has arrived.
   void run_dogleg();
   /// Evenly in t along an arc or helix: one segment.

@@ -32,11 +32,11 @@ bool MotionLaw::bends_without_turning() const {
 Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
   const Move& move = toolpath.moves[index];
   if (!move.has_start) {
-    Motion alone(move.end, move.end, feed_axes_.get(), toolpath.joints.get(), index);
+    Motion alone(move.end, move.end, feed_axes_.get(), &toolpath, index);
     alone.is_alone_ = true;
     return alone;
   }
-  Motion motion(toolpath.start_of(index), move.end, axes_of(move), toolpath.joints.get(), index);
+  Motion motion(toolpath.start_of(index), move.end, axes_of(move), &toolpath, index);
   // No law of the tip covers the joints of a move without tool centre point control.
   const bool is_open =
       move.runs_joints && joint_feed_axes_ == nullptr && toolpath.start_of(index).axis != move.end.axis;

@@ -20,6 +20,13 @@ const char* lasting_text(std::string text) {
   return texts.insert(std::move(text)).first->c_str();
 }
 
+std::optional<double> gauge_length_of_move(const Toolpath& path, std::size_t move,
+                                           const std::optional<double>& stated_mm) {
+  const std::size_t tool = path.moves[move].tool;
+  if (tool < path.tools.size() && path.tools[tool].gauge_length_mm) return path.tools[tool].gauge_length_mm;
+  return path.tools.size() < 2 ? stated_mm : std::nullopt;
+}
+
 bool needs_wide_tool(const Toolpath& path, std::size_t tool) {
   return std::any_of(path.moves.begin(), path.moves.end(),
                      [&](const Move& move) { return move.tool == tool && move.needs_wide_tool(); });

@@ -58,6 +58,8 @@ struct PathTool {
   std::size_t line = 0;                   ///< line on which it is defined or loaded
   double stated_diameter_mm = 0;          ///< the only fact that the file states about a cutter it does not define; 0:
                                           ///< none
+  std::optional<double> gauge_length_mm =
+      {};  ///< from the gauge point of the spindle to the tip, as a set-up states it
 };
 
 struct Operation {
@@ -130,8 +132,8 @@ struct MoveOrigins {
   virtual ~MoveOrigins() = default;
 };
 
-/// A rapid to a height from a place that is not known, and at that height to one that is known: all points of the tool are
-/// at least `height_mm` along `axis`, in part coordinates.
+/// A rapid from a place that is not known to a height, or at a height to a place: all points of the tool are at least
+/// `height_mm` along `axis`, in part coordinates, if it came from above. Minus infinity: the height is not known.
 struct ApproachHeight {
   std::size_t line = 0;
   Vec3 axis = Vec3::UnitZ();  ///< unit, the tool axis
@@ -167,6 +169,11 @@ struct Toolpath {
   /// start of the next one. Requires moves[move].has_start and move > 0.
   [[nodiscard]] const Pose& start_of(std::size_t move) const { return moves[move - 1].end; }
 };
+
+/// Returns the length from the gauge point of the spindle to the tip in a move: that of its tool, else `stated_mm` if the
+/// path has at most one tool. None: it is not known.
+[[nodiscard]] std::optional<double> gauge_length_of_move(const Toolpath& path, std::size_t move,
+                                                         const std::optional<double>& stated_mm);
 
 /// Returns whether a motion of that tool needs ToolVariants::wide.
 [[nodiscard]] bool needs_wide_tool(const Toolpath& path, std::size_t tool);

@@ -14,8 +14,8 @@ std::optional<std::vector<MotionPiece>> claimed_pieces(const ClaimedScene& scene
       index >= angles->end.size() || !angles->start[index] || !angles->end[index])
     return std::nullopt;
   const ClaimedRun by_joints = run == ClaimedRun::documented ? ClaimedRun::rotary : run;
-  auto pieces =
-      motion_pieces(scene.path, index, {&*scene.joints, by_joints, *angles->start[index], *angles->end[index]});
+  auto pieces = motion_pieces(scene.path, index,
+                              {&scene.joints_of(index), by_joints, *angles->start[index], *angles->end[index]});
   if (run != ClaimedRun::documented || !pieces) return pieces;
   const auto on_circle = motion_pieces(scene.path, index, scene.is_dogleg);
   if (!on_circle) return std::nullopt;

@@ -46,10 +46,10 @@ RigidTransform frame_by_joints(const ClaimedScene& scene, std::size_t index, Cla
   const JointPath& angles = *scene.path.joints;
   ChainEnds ends = {move.has_start ? scene.path.start_of(index).tip : move.end.tip, move.end.tip,
                     move.has_start ? *angles.start[index] : *angles.end[index], *angles.end[index]};
-  if (!turn) return chain_frame(*scene.joints, run, ends, t);
+  if (!turn) return chain_frame(scene.joints_of(index), run, ends, t);
   for (std::size_t k = 0; k < 2; ++k)
     ends.angles0[k] = ends.angles1[k] = ends.angles0[k] + (*turn)[k] * (ends.angles1[k] - ends.angles0[k]);
-  return chain_frame(*scene.joints, run, ends, t);
+  return chain_frame(scene.joints_of(index), run, ends, t);
 }
 
 }  // namespace

@@ -60,8 +60,14 @@ struct ClaimedScene {
   double tolerance_mm = 0.01, resolution_mm = 0.001;
   unsigned threads = 0;
   std::vector<ClaimedLimit> limits{};
-  std::optional<ClaimedJoints> joints{};  ///< used with the angles of Toolpath::joints; nothing: the great circle
+  std::optional<ClaimedJoints> joints{};        ///< used with the angles of Toolpath::joints; nothing: the great circle
+  std::vector<ClaimedJoints> joints_of_tool{};  ///< one for each entry of Toolpath::tools; empty: `joints` for all
 
+  /// Returns the joints with the tool of a move. Requires `joints`.
+  [[nodiscard]] const ClaimedJoints& joints_of(std::size_t move) const {
+    const std::size_t tool = path.moves[move].tool;
+    return tool < joints_of_tool.size() ? joints_of_tool[tool] : *joints;
+  }
   [[nodiscard]] double largest_clean_mm() const { return tolerance_mm + resolution_mm; }
 };
 

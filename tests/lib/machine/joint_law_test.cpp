@@ -236,16 +236,35 @@ TEST(JointLaw, AHeadTakesOneToolLength) {
   EXPECT_TRUE(JointLaw(test::machines()[0], JointTiming::together, 100).why_open(path, 1).empty());
 }
 
+TEST(JointLaw, AHeadTakesTheLengthOfEachTool) {
+  const Machine machine = test::machines()[3];
+  Toolpath path = straight_path({30, 0, 0});
+  path.moves[1].end.axis = tool_axes(machine, {0.3, 0.4}).col(2);
+  path.tools.resize(2);
+  path.moves[1].tool = 1;
+  const Pose &from = path.moves[0].end, &to = path.moves[1].end;
+  const auto middle = [&](const JointLaw& law) { return law.of_move(&path, 1, from, to)->tip_path()->tip_at(0.5); };
+  const JointLaw unknown(machine, JointTiming::together, std::nullopt);
+  EXPECT_EQ(unknown.of_move(&path, 1, from, to), nullptr);
+  EXPECT_NE(unknown.why_open(path, 1).find("is not stated"), std::string::npos);
+  for (const double length_mm : {20.0, 150.0}) {
+    path.tools[1].gauge_length_mm = length_mm;
+    EXPECT_TRUE(unknown.why_open(path, 1).empty());
+    const auto alone = JointLaw(machine, JointTiming::together, length_mm).between(from, to);
+    EXPECT_LT((middle(unknown) - alone->tip_path()->tip_at(0.5)).norm(), 1e-9) << length_mm;
+    EXPECT_GT((middle(unknown) - 0.5 * (from.tip + to.tip)).norm(), 0.01) << length_mm;
+  }
+}
+
 TEST(JointLaw, ATableKeepsAPointThatTurnsWithItInReach) {
   // C turns by 90 degrees about the origin of the part, 100 mm from the tip: relative to the part the tip runs on the
   // circle about it, 100 (1 - cos 45) off the chord's middle.
   const Machine machine = test::machines()[1];
   RotaryAngles from{0, 0.5}, to{std::numbers::pi / 2, 0.5};
-  JointPath joints;
-  joints.start = {from};
-  joints.end = {to};
+  Toolpath path = straight_path({30, 0, 0});
+  path.joints = std::make_shared<const JointPath>(JointPath{{from}, {to}});
   const JointLaw law(machine, JointTiming::together, 0);
-  const auto run = law.of_move(&joints, 0, {{100, 0, 0}, tool_axes(machine, from).col(2)},
+  const auto run = law.of_move(&path, 0, {{100, 0, 0}, tool_axes(machine, from).col(2)},
                                {{0, 100, 0}, tool_axes(machine, to).col(2)});
   ASSERT_NE(run, nullptr);
   ASSERT_NE(run->tip_path(), nullptr);

@@ -12,6 +12,14 @@
 namespace gouge {
 namespace {
 
+/// A path of one move with these angles at its ends.
+Toolpath path_with(const RotaryAngles& from, const RotaryAngles& to) {
+  Toolpath path;
+  path.moves.resize(1);
+  path.joints = std::make_shared<const JointPath>(JointPath{{from}, {to}});
+  return path;
+}
+
 TEST(RotaryLaw, RunsEvenlyBetweenTheNearestAngles) {
   test::Scatter scatter(11);
   for (const Machine& machine : test::machines()) {
@@ -38,10 +46,8 @@ TEST(RotaryLaw, ItsRatesBoundTheMotion) {
     for (int n = 0; n < 500; ++n) {
       const RotaryAngles from = {scatter.in(-3, 3), scatter.in(-3, 3)};
       const RotaryAngles to = {scatter.in(-3, 3), scatter.in(-3, 3)};
-      JointPath joints;
-      joints.start = {from};
-      joints.end = {to};
-      const auto path = law.of_move(&joints, 0, {Vec3::Zero(), tool_axes(machine, from).col(2)},
+      const Toolpath stated = path_with(from, to);
+      const auto path = law.of_move(&stated, 0, {Vec3::Zero(), tool_axes(machine, from).col(2)},
                                     {Vec3::Zero(), tool_axes(machine, to).col(2)});
       constexpr double kStep = 1e-4;
       for (double t = 0; t < 1 - 2 * kStep; t += 0.1) {
@@ -58,12 +64,11 @@ TEST(RotaryLaw, ItsRatesBoundTheMotion) {
 
 TEST(RotaryLaw, FollowsTheAnglesOfThePathWhereTheyAreKnown) {
   const Machine machine = test::machines()[0];
-  JointPath joints;
-  joints.start = {RotaryAngles{0, 0}};  // at the pole, where C stood at 0
-  joints.end = {RotaryAngles{std::numbers::pi / 2, 0.1}};
-  const Pose up{Vec3::Zero(), Vec3::UnitZ()}, leaning{Vec3::Zero(), tool_axes(machine, *joints.end[0]).col(2)};
+  const RotaryAngles end{std::numbers::pi / 2, 0.1};
+  const Toolpath stated = path_with({0, 0}, end);  // at the pole, where C stood at 0
+  const Pose up{Vec3::Zero(), Vec3::UnitZ()}, leaning{Vec3::Zero(), tool_axes(machine, end).col(2)};
   const RotaryLaw law(machine);
-  EXPECT_GT(law.of_move(&joints, 0, up, leaning)->turn_rate_rad(0, 1), 1.5);
+  EXPECT_GT(law.of_move(&stated, 0, up, leaning)->turn_rate_rad(0, 1), 1.5);
   EXPECT_LT(law.between(up, leaning)->turn_rate_rad(0, 1), 0.11);
 }
 
