@@ -1,9 +1,11 @@
 #include "lib/machine/linuxcnc_ini.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 
@@ -27,6 +29,13 @@ void add_pin(std::map<std::string, Value>& values, std::string_view command, std
   values["setp/" + std::string(rest.substr(0, space))] = {std::string(trim_blanks(rest.substr(space))), line};
 }
 
+/// Returns whether a code is remapped to switch the kinematics, as in the configurations of LinuxCNC itself.
+bool is_switch_of_kinematics(std::string_view remap) {
+  constexpr std::array<std::string_view, 3> kCodes = {"M428", "M429", "M430"};
+  const std::string code = in_capitals(remap.substr(0, remap.find_first_of(" \t")));
+  return std::ranges::find(kCodes, std::string_view(code)) != kCodes.end();
+}
+
 /// The values of a configuration by "SECTION/KEY"; the first of a key counts. "SECTION/" stands for the section itself.
 std::map<std::string, Value> values_of(std::string_view bytes) {
   std::map<std::string, Value> values;
@@ -46,6 +55,8 @@ std::map<std::string, Value> values_of(std::string_view bytes) {
     const std::string key = section + "/" + std::string(trim_blanks(line.substr(0, equals)));
     const std::string_view value = trim_blanks(line.substr(equals + 1));
     if (key == "HAL/HALCMD") add_pin(values, value, number);
+    if (key == "RS274NGC/REMAP" && !is_switch_of_kinematics(value))
+      values.try_emplace("RS274NGC/REMAP of another code", Value{std::string(value), number});
     values.try_emplace(key, Value{std::string(value), number});
   }
   return values;
@@ -83,6 +94,8 @@ class IniReader {
                        "LinuxCNC src/emc/tp/tc.c TC_LINEAR, with the kinematics switched on"};
     machine.control.program = "linuxcnc";
     machine.control.joint_rapid_law = TurnLaw::joint;
+    if (const Value* start = find("RS274NGC/RS274NGC_STARTUP_CODE")) machine.control.start = start->text;
+    machine.control.unread_setting = unread_setting();
     if (error_) return *error_;
     find_missing_axes(machine);
     Result<Machine> made = make_machine(std::move(machine));
@@ -112,6 +125,20 @@ class IniReader {
     else
       fail("KINEMATICS is '" + name + "'; " + expected, stated->line);
     return nullptr;
+  }
+
+  /// Source: LinuxCNC, INI configuration, and the note in configs/sim/axis/vismach/5axis/table-rotary-tilting/xyzac-trt.ini.
+  [[nodiscard]] std::string unread_setting() const {
+    if (const Value* remap = find("RS274NGC/REMAP of another code")) return "REMAP = " + remap->text;
+    for (const char letter : {'A', 'B', 'C'}) {
+      const std::string key = std::string("AXIS_") + letter + "/WRAPPED_ROTARY";
+      const Value* wrapped = find(key);
+      if (wrapped != nullptr && wrapped->text != "0") return "[AXIS_" + std::string(1, letter) + "] WRAPPED_ROTARY";
+    }
+    const Value* kinematics = find("KINS/KINEMATICS");
+    if (kinematics != nullptr && kinematics->text.find("sparm=identityfirst") == std::string::npos)
+      return "KINEMATICS = " + kinematics->text + ", without sparm=identityfirst";
+    return {};
   }
 
   void read_units() {

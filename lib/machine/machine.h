@@ -66,6 +66,7 @@ struct Control {
   std::optional<TurnLaw> joint_rapid_law = {};  ///< of rapids without tool centre point control: joint or independent
   std::string program = {};                     ///< language of its programs: "linuxcnc", "haas"; empty: not stated
   std::string start = {};                       ///< blocks in force at the start of a program: "G17 G21 G90"
+  std::string unread_setting = {};              ///< setting that the readers of its programs do not follow; empty: none
 };
 
 struct Machine {

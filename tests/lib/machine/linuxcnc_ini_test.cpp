@@ -90,5 +90,23 @@ TEST(LinuxCncIni, RefusesWhatItDoesNotKnow) {
   }
 }
 
+TEST(LinuxcncIni, NamesSettingsThatProgramsAreNotReadBy) {
+  const auto control_of = [](const std::string& more, const std::string& sparm) {
+    std::string text = configuration("xyzac-trt-kins", true);
+    text.replace(text.find("xyzac-trt-kins"), 14, "xyzac-trt-kins" + sparm);
+    return read_linuxcnc_ini("machine.ini", text + more).value().control;
+  };
+  const std::string first = " sparm=identityfirst";
+  EXPECT_EQ(control_of("[RS274NGC]\nREMAP = M428 modalgroup=10 ngc=428remap\n[AXIS_B]\nWRAPPED_ROTARY = 0\n", first)
+                .unread_setting,
+            "");
+  EXPECT_EQ(control_of("[RS274NGC]\nRS274NGC_STARTUP_CODE = G18 G61\n", first).start, "G18 G61");
+  EXPECT_NE(control_of("", "").unread_setting.find("without sparm=identityfirst"), std::string::npos);
+  EXPECT_NE(control_of("[RS274NGC]\nREMAP = M428 ngc=a\nREMAP = M8 ngc=coolant\n", first).unread_setting.find("M8"),
+            std::string::npos);
+  EXPECT_NE(control_of("[AXIS_B]\nWRAPPED_ROTARY = 1\n", first).unread_setting.find("WRAPPED_ROTARY"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace gouge
