@@ -65,7 +65,8 @@ std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law,
 }
 
 /// Null: the great circle, where no body needs the turn of the tool about its axis.
-std::shared_ptr<const AxisLaw> axes_of(const Machine& machine, TurnLaw law, double tool_length_mm, bool has_heads) {
+std::shared_ptr<const AxisLaw> axes_of(const Machine& machine, TurnLaw law, const std::optional<double>& tool_length_mm,
+                                       bool has_heads) {
   switch (law) {
     case TurnLaw::vector:
       if (has_heads) return std::make_shared<const RotaryLaw>(machine, LawScope::circle);
@@ -157,11 +158,25 @@ void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path
   }
 }
 
+/// Leaves moves unchecked whose law needs the angles of the rotary joints, where the program states the tool axis as a
+/// vector: no manual states which of both solutions a control takes.
+void leave_vectors_unchecked(const MotionLaw& law, bool is_turn_needed, Toolpath& path) {
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    Move& move = path.moves[i];
+    const bool is_known = path.joints->end[i] && (!move.has_start || path.joints->start[i]);
+    const bool is_turning = move.has_start && path.start_of(i).axis != move.end.axis;
+    if (is_known || !law.is_by_axes(move) || !(is_turning || is_turn_needed)) continue;
+    leave_move_unchecked(
+        "the program states the tool axis as a vector, so that the angles of the rotary joints are not known, which the law "
+        "of the check or a head needs; expected --feed-law vector and --rapid-law vector",
+        move);
+  }
+}
+
 /// Adds the exceeded limits of linear joints to `problems`. Returns a note if some cannot be compared.
 Diagnostics add_linear_limits(const Machine& machine, const std::optional<double>& tool_length_mm, const Toolpath& path,
                               std::vector<JointProblem>& problems) {
-  const bool has_length = tool_length_mm && path.tools.size() < 2;
-  LinearLimits limits = check_linear_limits(machine, path, has_length ? tool_length_mm : std::nullopt);
+  LinearLimits limits = check_linear_limits(machine, path, tool_length_mm);
   std::ranges::move(limits.problems, std::back_inserter(problems));
   std::ranges::stable_sort(problems, {}, &JointProblem::move);
   if (limits.open.empty()) return {};
@@ -201,9 +216,8 @@ Result<MotionLaw> make_motion_law(const Machine& machine, const TurnLaws& laws, 
   for (const TurnLaw law : {laws.feeds, laws.rapids}) {
     if (auto missing = find_missing_fact(machine, law, tool_length_mm, names)) return *missing;
   }
-  const double length_mm = tool_length_mm.value_or(0);
-  const auto feeds = axes_of(machine, laws.feeds, length_mm, has_heads);
-  const auto rapids = laws.rapids == laws.feeds ? feeds : axes_of(machine, laws.rapids, length_mm, has_heads);
+  const auto feeds = axes_of(machine, laws.feeds, tool_length_mm, has_heads);
+  const auto rapids = laws.rapids == laws.feeds ? feeds : axes_of(machine, laws.rapids, tool_length_mm, has_heads);
   MotionLaw law(rapid, feeds, rapids);
   const auto any = std::make_shared<const RotaryLaw>(machine, LawScope::any);
   const auto widest = [&](TurnLaw of) { return !runs_joints(of) && of != TurnLaw::any ? any : nullptr; };
@@ -300,6 +314,7 @@ Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const
     notes.push_back(make_note("machine-more",
                               std::to_string(choice.problems.size() - kMaxNotes) + " more positions of this kind",
                               path.file));
+  if (are_stated) leave_vectors_unchecked(law, is_turn_needed, path);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     if (!path.moves[i].has_start) continue;
     const std::string open = law.why_open(path, i);
