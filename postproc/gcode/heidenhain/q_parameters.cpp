@@ -27,8 +27,8 @@ FormulaValue function_of(const std::string& name, double x) {
   if (name == "SQRT") return {std::sqrt(x), {}};
   if (name == "ABS") return {std::abs(x), {}};
   if (name == "NEG") return {-x, {}};
-  if (name == "INT") return {std::trunc(x), {}};
-  if (name == "FRAC") return {x - std::trunc(x), {}};
+  if (name == "INT") return {is_nearly_whole(x) ? kUnknownValue : std::trunc(x), {}};
+  if (name == "FRAC") return {is_nearly_whole(x) ? kUnknownValue : x - std::trunc(x), {}};
   if (name == "LN") return {finite(std::log(x)), {}};
   if (name == "LOG") return {finite(std::log10(x)), {}};
   if (name == "EXP") return {finite(std::exp(x)), {}};

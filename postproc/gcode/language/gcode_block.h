@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -16,6 +17,15 @@ namespace gouge {
 inline constexpr double kUnknownValue = std::numeric_limits<double>::quiet_NaN();
 [[nodiscard]] inline bool is_known(double value) { return !std::isnan(value); }
 
+/// Share of a value within which the digits of a control may differ from those of doubles.
+inline constexpr double kOfControlDigits = 1e-6;
+
+/// Returns whether a value is so near to a whole number, but not one, that a control may take it for the other side.
+[[nodiscard]] inline bool is_nearly_whole(double x) {
+  const double apart = std::abs(x - std::round(x));
+  return apart > 0 && apart < kOfControlDigits * std::max(1.0, std::abs(x));
+}
+
 /// An address and its number: X12.5.
 struct GcodeWord {
   char letter = 0;                              ///< a capital
@@ -28,6 +38,7 @@ struct GcodeWord {
 struct GcodeAssignment {
   std::string variable;  ///< "101" or "<name>"
   double value = 0;
+  bool is_rounded = false;  ///< other digits than those of doubles may give a value beside it
 };
 
 struct GcodeBlock {

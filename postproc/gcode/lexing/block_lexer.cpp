@@ -72,17 +72,25 @@ class BlockLexer {
     if (close == std::string_view::npos) return c_.fail("a comment without its closing bracket");
     const std::string_view inner = c_.text.substr(c_.at + 1, close - c_.at - 1);
     if (inner.find('(') != std::string_view::npos && !syntax_.has_macros) return c_.fail("a comment within a comment");
-    block_.comment = inner;
-    c_.at = close + 1;
+    take_comment(inner);
+    c_.at = std::max(c_.at, close + 1);
   }
 
   void read_after_semicolon() {
     const std::string_view rest = trim_blanks(c_.text.substr(c_.at + 1));
     if (syntax_.has_semicolon_comments)
-      block_.comment = rest;
+      take_comment(rest);
     else if (!rest.empty())
       return c_.fail("text after the end of the block, which a semicolon is on this control");
     c_.at = c_.text.size();
+  }
+
+  // Source: LinuxCNC, Remap, "Executing arbitrary Python": such comments are statements.
+  void take_comment(std::string_view text) {
+    block_.comment = text;
+    if (!syntax_.has_o_words) return;
+    const std::string name = in_small_letters(trim_blanks(text.substr(0, std::min(text.find(','), text.size()))));
+    if (name == "py" || name == "pyrun" || name == "pyreload") c_.fail("a comment that runs a statement of Python");
   }
 
   void read_assignment() {
@@ -93,9 +101,11 @@ class BlockLexer {
     if (c_.error.empty() && c_.peek() != '=') return c_.fail("a variable alone");
     ++c_.at;
     bool has_point = false;
+    c_.is_rounded = false;
     if (c_.error.empty())
       made.value = syntax_.has_macros ? read_expression(c_, syntax_, variables_)
                                       : read_value(c_, syntax_, variables_, has_point);
+    made.is_rounded = c_.is_rounded;
     block_.assignments.push_back(std::move(made));
   }
 
@@ -103,7 +113,9 @@ class BlockLexer {
     GcodeWord& word = block_.words.emplace_back();
     word.letter = capital(c_.peek());
     word.first_byte = static_cast<std::uint32_t>(c_.at++);
+    c_.is_address = true;
     word.value = read_value(c_, syntax_, variables_, word.has_point);
+    c_.is_address = false;
     word.last_byte = static_cast<std::uint32_t>(c_.at);
     if (!c_.error.empty()) c_.error = std::string(1, word.letter) + ": " + c_.error;
   }

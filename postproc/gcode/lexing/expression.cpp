@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
@@ -28,6 +29,11 @@ double equality(double a, double b, bool wanted) {
 
 double comparison(double a, double b, bool holds) { return is_known(a) && is_known(b) ? truth(holds) : kUnknownValue; }
 
+bool nearly_meet(double a, double b) {
+  const double apart = std::abs(a - b);
+  return apart > 0 && apart < kOfControlDigits * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
 // Controls differ in the sign of a remainder of negative numbers.
 double remainder_of(double a, double b) { return a >= 0 && b > 0 ? std::fmod(a, b) : kUnknownValue; }
 
@@ -41,6 +47,9 @@ class Evaluator {
     const char c = c_.peek();
     if (c == '-' || c == '+') {
       ++c_.at;
+      c_.skip_blanks();
+      // LinuxCNC takes several signs; on the others this is an alarm.
+      if (syntax_.has_macros && (c_.peek() == '-' || c_.peek() == '+')) c_.fail("two signs before a number");
       const double rest = value();
       return c == '-' ? -rest : rest;
     }
@@ -130,8 +139,11 @@ class Evaluator {
     return none;
   }
 
-  static double applied(Operator one, double a, double b) {
+  [[nodiscard]] double applied(Operator one, double a, double b) const {
     using enum Operator;
+    const bool is_order = one == gt || one == ge || one == lt || one == le;
+    if (syntax_.has_macros && is_order && nearly_meet(a, b)) return kUnknownValue;
+    if (syntax_.has_macros && one == mod && is_nearly_whole(a / b)) return kUnknownValue;
     switch (one) {
       case plus:
         return a + b;
@@ -181,7 +193,7 @@ class Evaluator {
       if (rank == Rank::none || rank < least) break;
       c_.at += length;
       const double right = operation(static_cast<Rank>(static_cast<int>(rank) + 1));
-      left = applied(one, left, right);
+      left = noted(applied(one, left, right));
       if (std::isinf(left)) left = kUnknownValue;
     }
     return left;
@@ -204,7 +216,9 @@ class Evaluator {
   double variable() {
     ++c_.at;
     const std::string name = read_variable_name(c_, syntax_, variables_);
-    return name.empty() || is_system_variable(name, syntax_) ? kUnknownValue : variables_.value(name);
+    if (name.empty() || is_system_variable(name, syntax_)) return kUnknownValue;
+    c_.is_rounded = c_.is_rounded || variables_.may_be_rounded(name);
+    return noted(variables_.value(name));
   }
 
   double function() {
@@ -215,23 +229,45 @@ class Evaluator {
       c_.fail("'" + name + "' is no number");
       return kUnknownValue;
     }
+    const bool was_rounded = std::exchange(c_.is_rounded, false);
     const double x = brackets();
+    const bool is_of_fractions = std::exchange(c_.is_rounded, was_rounded);
+    if (name == "FIX" || name == "FUP") return whole_beside(x, name == "FUP", is_of_fractions);
+    if (name == "ROUND") return rounded(x);
+    c_.is_rounded = true;
+    if (name == "ABS") c_.is_rounded = was_rounded || is_of_fractions;
     if (name == "ATAN") return arc_tangent(x);
     if (name == "SIN") return std::sin(x / kDegrees);
     if (name == "COS") return std::cos(x / kDegrees);
     if (name == "TAN") return std::tan(x / kDegrees);
-    if (name == "ASIN") return std::asin(x) * kDegrees;
+    if (name == "ASIN") return arc_sine(x);
     if (name == "ACOS") return std::acos(x) * kDegrees;
     if (name == "SQRT") return std::sqrt(x);
     if (name == "ABS") return std::abs(x);
     if (name == "EXP") return std::exp(x);
     if (name == "LN") return x > 0 ? std::log(x) : kUnknownValue;
-    if (name == "ROUND") return x >= 0 ? std::round(x) : kUnknownValue;  // halves below 0 differ
-    // LinuxCNC takes the next whole number below or above, Fanuc that nearer to or farther from 0.
-    if (name == "FIX") return x >= 0 ? std::floor(x) : kUnknownValue;
-    if (name == "FUP") return x >= 0 ? std::ceil(x) : kUnknownValue;
     c_.fail("the function " + name + " is not known");
     return kUnknownValue;
+  }
+
+  // LinuxCNC takes the next whole number below or above, Fanuc that nearer to or farther from 0. Source: Fanuc, B-64484EN,
+  // custom macro: FIX[0.002*1000] may be 1.
+  [[nodiscard]] double whole_beside(double x, bool is_above, bool is_of_fractions) const {
+    const bool is_whole = std::abs(x - std::round(x)) <= 0;
+    const bool is_doubtful = x < 0 || (syntax_.has_macros && (is_nearly_whole(x) || (is_whole && is_of_fractions)));
+    if (is_doubtful) return kUnknownValue;
+    return is_above ? std::ceil(x) : std::floor(x);
+  }
+
+  // Halves below 0 differ. In an address macros round to the increment of the control, elsewhere to a whole number.
+  [[nodiscard]] double rounded(double x) const {
+    if (syntax_.has_macros && (c_.is_address || is_nearly_whole(x + 0.5))) return kUnknownValue;
+    return x >= 0 ? std::round(x) : kUnknownValue;
+  }
+
+  // Of Fanuc a parameter chooses the range of the angle: that of -0.5 is -30 or 330 degrees.
+  [[nodiscard]] double arc_sine(double x) const {
+    return syntax_.has_macros && x < 0 ? kUnknownValue : std::asin(x) * kDegrees;
   }
 
   // Of Fanuc a parameter chooses the range of the angle.
@@ -253,7 +289,13 @@ class Evaluator {
     while (is_digit(c_.peek()) || c_.peek() == '.') ++c_.at;
     const auto parsed = parse_number(c_.text.substr(begin, c_.at - begin));
     if (!parsed) c_.fail("a word without its number");
-    return parsed.value_or(kUnknownValue);
+    return noted(parsed.value_or(kUnknownValue));
+  }
+
+  // Notes a fraction: what is calculated from it has the digits of the control.
+  double noted(double x) {
+    c_.is_rounded = c_.is_rounded || std::floor(x) < x;
+    return x;
   }
 
   GcodeCursor& c_;

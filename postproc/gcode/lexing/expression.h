@@ -15,7 +15,9 @@ namespace gouge {
 struct GcodeCursor {
   std::string_view text;
   std::size_t at = 0;
-  std::string error = {};  ///< empty: understood so far
+  std::string error = {};   ///< empty: understood so far
+  bool is_address = false;  ///< the value is that of an address
+  bool is_rounded = false;  ///< a value that is read is the result of fractions, which digits round
 
   [[nodiscard]] bool is_end() const { return at >= text.size(); }
   [[nodiscard]] char peek() const { return is_end() ? '\0' : text[at]; }

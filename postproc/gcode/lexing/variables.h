@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,13 @@ class GcodeVariables {
 
   /// `name`: "101" or "<name>", as in GcodeAssignment.
   [[nodiscard]] double value(const std::string& name) const;
-  void set(const std::string& name, double value) { scope_of(name)[name] = value; }
+  /// `is_rounded`: other digits than those of doubles may give a value beside it.
+  void set(const std::string& name, double value, bool is_rounded) {
+    scope_of(name)[name] = value;
+    if (is_rounded) rounded_.insert(name);
+  }
+  /// Returns whether a value of this name was ever rounded.
+  [[nodiscard]] bool may_be_rounded(const std::string& name) const { return rounded_.contains(name); }
 
   /// Begins a subprogram, which has local variables of its own: #1 to #30, and names without a leading underscore.
   void begin_call() { locals_.emplace_back(); }
@@ -32,6 +39,7 @@ class GcodeVariables {
 
   Values globals_;
   std::vector<Values> locals_;
+  std::set<std::string> rounded_;
 };
 
 }  // namespace gouge

@@ -259,8 +259,8 @@ class SiemensEvaluator {
     if (name == "POT") return x * x;
     if (name == "EXP") return std::exp(x);
     if (name == "LN") return x > 0 ? std::log(x) : kUnknownValue;
-    if (name == "TRUNC") return std::trunc(x);
-    if (name == "ROUND") return x >= 0 ? std::round(x) : kUnknownValue;  // halves below 0 are not stated
+    if (name == "TRUNC") return is_nearly_whole(x) ? kUnknownValue : std::trunc(x);
+    if (name == "ROUND") return x >= 0 && !is_nearly_whole(x + 0.5) ? std::round(x) : kUnknownValue;  // halves below 0
     c_.fail("the function " + name + " is not known");
     return kUnknownValue;
   }

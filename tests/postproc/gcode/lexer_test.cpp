@@ -12,9 +12,9 @@ constexpr GcodeSyntax kFanuc = {
 
 GcodeBlock block_of(std::string_view line, const GcodeSyntax& syntax = kLinuxcnc) {
   GcodeVariables variables;
-  variables.set("1", 2);
-  variables.set("101", 0.5);
-  variables.set("<r>", 60);
+  variables.set("1", 2, false);
+  variables.set("101", 0.5, false);
+  variables.set("<r>", 60, false);
   GcodeBlock block;
   read_gcode_block(line, syntax, variables, block);
   return block;
