@@ -1,6 +1,7 @@
 #include "lib/certify/assess.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
@@ -95,10 +96,16 @@ void settle_approaches(const Toolpath& path, const CheckSetup& setup, Assumption
     fact->basis = Basis::unknown;
     fact->code = "gcode-approach";
     fact->line = approach.line;
-    fact->evidence = "in line " + std::to_string(approach.line) + " the tool is at height " +
-                     display_text(approach.height_mm, 4) + " mm, below the top of " + display_text(top, 4) +
-                     " mm, and where it comes from is not known";
-    fact->remedy = "state X and Y before Z in the program, or that nothing is in its way with --assume complete";
+    const std::string at = std::isfinite(approach.height_mm)
+                               ? "the tool is at height " + display_text(approach.height_mm, 4) +
+                                     " mm, below the top of " + display_text(top, 4) + " mm"
+                               : "the height of the tool above the part is not known";
+    fact->evidence = "in line " + std::to_string(approach.line) + " " + at + ", and where it comes from is not known";
+    fact->remedy = std::isfinite(approach.height_mm)
+                       ? "begin above everything in the program, or state that nothing is in its way with "
+                         "--assume complete"
+                       : "state the rotary axes before Z in the program, or that nothing is in its way with "
+                         "--assume complete";
     return;
   }
 }

@@ -1,4 +1,7 @@
 // Rapids from places that are not known, at the start of a program and after a tool change.
+#include <algorithm>
+#include <limits>
+
 #include "tests/postproc/gcode/program.h"
 
 namespace gouge {
@@ -12,7 +15,8 @@ using test::reasons_of;
 TEST(GcodeApproach, RapidsBeforeAHeightAreLeftOutAndCounted) {
   const ReadOutcome outcome = read_program("G21 G90 G17\nT1 M6\nG0 X5 Y6\nG43 H1 Z30\nG1 Z1 F100\nM2\n", "linuxcnc");
   ASSERT_TRUE(can_be_clean(outcome)) << reasons_of(outcome);
-  EXPECT_TRUE(outcome.toolpath->approaches.empty());
+  ASSERT_EQ(outcome.toolpath->approaches.size(), 1U);  // down to 30 at a place that is known
+  EXPECT_NEAR(outcome.toolpath->approaches[0].height_mm, 30, 1e-9);
   ASSERT_EQ(outcome.toolpath->moves.size(), 2U);
   test::expect_tip(outcome.toolpath->moves[0], 5, 6, 30);
   for (const Assumption& fact : outcome.toolpath->assumptions) {
@@ -26,6 +30,34 @@ TEST(GcodeApproach, AHeightBeforeThePlaceIsStored) {
   const Toolpath path = path_of_program("G21 G90 G17\nT1 M6\nG43 H1\nG0 Z5\nX10 Y10\nG1 Z1 F100\nM2\n", "linuxcnc");
   ASSERT_EQ(path.approaches.size(), 2U);  // down to the height, and across at it
   for (const ApproachHeight& approach : path.approaches) EXPECT_NEAR(approach.height_mm, 5, 1e-9);
+}
+
+TEST(GcodeApproach, AHeightWithoutKnownJointsIsNotKnown) {
+  ProgramSetup setup;
+  setup.machine = test::trunnion();
+  const std::string start = "G21 G90 G17\nT1 M6\nG43 H1\nG0 ";
+  const auto lowest = [&](const std::string& blocks) {
+    double low = std::numeric_limits<double>::infinity();
+    for (const ApproachHeight& approach :
+         path_of_program(start + blocks + "G1 X1 F100\nM2\n", "linuxcnc", setup).approaches)
+      low = std::min(low, approach.height_mm);
+    return low;
+  };
+  EXPECT_NEAR(lowest("A0 C0\nX0 Y0\nZ5\n"), 5, 1e-9);
+  EXPECT_NEAR(lowest("X0 Y0 Z5 A90 C0\n"), 5, 1e-9);  // along the tool, whatever the table does
+  EXPECT_EQ(lowest("X0 Y0\nZ5\nA0 C0\n"), -std::numeric_limits<double>::infinity());
+}
+
+// A machine may leave the tool where it is when a tool is called, above all that in the spindle.
+TEST(GcodeApproach, AToolChangeBeginsAtTheHeightBeforeIt) {
+  for (const char* call : {"T1 M6\nG43 H1\n", "T2 M6\nG43 H2\n"}) {
+    const std::string text =
+        std::string("G21 G90 G17\nT1 M6\nG43 H1\nG0 X0 Y0 Z50\nG1 Z-5 F100\n") + call + "G0 X20 Y0\nZ50\nG1 X30\nM2\n";
+    const Toolpath path = path_of_program(text, "linuxcnc");
+    ASSERT_EQ(path.approaches.size(), 3U) << text;
+    EXPECT_NEAR(path.approaches[1].height_mm, -5, 1e-9);
+    EXPECT_EQ(path.approaches[1].line, 6U);
+  }
 }
 
 TEST(GcodeApproach, AWholePositionOrAStepIsNoApproach) {
