@@ -1,9 +1,14 @@
 // Programs (G-code) of the samples: the same verdict on every move as the CL data they are made of, under the same law.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/units.h"
 #include "lib/machine/read_machine.h"
 #include "postproc/formats/read_toolpath.h"
 #include "tests/samples/csv.h"
@@ -15,27 +20,47 @@
 namespace gouge::testing_samples {
 namespace {
 
-constexpr const char* kPreset = "linuxcnc-xyzac-trt";
+/// A machine, the control of its program, and the facts that the program does not state.
+struct ProgramCase {
+  const char* preset;
+  test::WrittenControl control;
+  std::vector<std::string> laws;   ///< options of both checks
+  std::vector<std::string> facts;  ///< options of the check of the program
+};
 
-Machine preset() { return read_machine(kPreset, find_preset(kPreset)->text).value(); }
+const std::vector<std::string> kByAxis = {"--feed-law", "axis", "--rapid-law", "axis"};
+const std::vector<std::string> kOfFanuc = {"--control",      "fanuc",         "--tip-frame",   "table",
+                                           "--rotary-turns", "as-programmed", "--tool-length", "100"};
 
-class GcodeSample : public testing::TestWithParam<const char*> {};
+const ProgramCase kTrunnion = {"linuxcnc-xyzac-trt", test::WrittenControl::linuxcnc, {}, {}};
 
-TEST_P(GcodeSample, HasTheVerdictsOfItsClData) {
-  const SampleFolder sample = open_sample(GetParam());
+std::vector<ProgramCase> other_machines() {
+  return {
+      {"linuxcnc-xyzbc-trt", test::WrittenControl::linuxcnc, {}, {}},
+      {"haas-umc750", test::WrittenControl::haas, kByAxis, {"--rotary-turns", "as-programmed", "--tool-length", "100"}},
+      {"table-b-head", test::WrittenControl::fanuc, kByAxis, kOfFanuc},
+      {"head-ca", test::WrittenControl::fanuc, kByAxis, kOfFanuc},
+      {"nutating-45", test::WrittenControl::fanuc, kByAxis, kOfFanuc}};
+}
+
+void expect_verdicts_of_cl_data(const char* name, const ProgramCase& of) {
+  const SampleFolder sample = open_sample(name);
   const std::string file = sample.path + "/" + sample.toolpath();
   const ReadOutcome read = read_toolpath(file, SourceText(text_of(file)));
   ASSERT_TRUE(read.toolpath.has_value());
-  const auto program = test::write_program(*read.toolpath, preset());
+  const Machine machine = read_machine(of.preset, find_preset(of.preset)->text).value();
+  const auto program = test::write_program(*read.toolpath, machine, of.control);
   if (!program) GTEST_SKIP() << "the writer of this test does not state every move of it";
-  write_text(sample.path + "/program.ngc", *program);
-  const std::vector<std::string> more = {"--machine", std::string("preset:") + kPreset, "--csv"};
+  write_text(sample.path + "/program.nc", *program);
   std::vector<std::vector<MoveRow>> rows;
-  for (const std::string& path : {sample.toolpath(), std::string("program.ngc")}) {
-    std::vector<std::string> options = more;
-    options.push_back(path + ".csv");
+  for (const std::string& path : {sample.toolpath(), std::string("program.nc")}) {
+    std::vector<std::string> options = {"--machine", std::string("preset:") + of.preset};
+    options.insert(options.end(), of.laws.begin(), of.laws.end());
+    if (path == "program.nc") options.insert(options.end(), of.facts.begin(), of.facts.end());
+    options.insert(options.end(), {"--csv", path + ".csv"});
     const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", path, options));
     EXPECT_NE(ran.exit_status, 3) << ran.err;
+    EXPECT_NE(ran.exit_status, 2) << ran.err;
     rows.push_back(parse_moves(text_of(sample.path + "/" + path + ".csv")));
   }
   ASSERT_EQ(rows[0].size(), rows[1].size());
@@ -46,10 +71,27 @@ TEST_P(GcodeSample, HasTheVerdictsOfItsClData) {
   }
 }
 
+class GcodeSample : public testing::TestWithParam<const char*> {};
+
+TEST_P(GcodeSample, HasTheVerdictsOfItsClData) { expect_verdicts_of_cl_data(GetParam(), kTrunnion); }
+
 INSTANTIATE_TEST_SUITE_P(Samples, GcodeSample,
                          testing::Values("freeform", "pocket", "blade", "between_rib", "thin_post", "inch", "needles",
                                          "big_triangles", "arcs_nx", "arcs_creo", "buried", "between_swing"),
                          [](const auto& test) { return std::string(test.param); });
+
+class GcodeMachine : public testing::TestWithParam<ProgramCase> {};
+
+TEST_P(GcodeMachine, HasTheVerdictsOfItsClData) {
+  for (const char* sample : {"freeform", "pocket", "blade", "between_rib", "inch", "between_swing"})
+    expect_verdicts_of_cl_data(sample, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, GcodeMachine, testing::ValuesIn(other_machines()), [](const auto& test) {
+  std::string name = test.param.preset;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
 
 /// The public programs, with the figures of their laws of motion.
 class PublicProgram : public testing::Test {
@@ -96,6 +138,114 @@ TEST_F(PublicProgram, TheHaasProgramHasThePositionsOfItsClData) {
     ASSERT_NE(at, std::string::npos) << file.path() << ran.out << ran.err;
     EXPECT_LT(std::stod(ran.out.substr(at + 32)), 2e-4) << file.path() << "\n" << ran.out;
   }
+}
+
+/// A box from `low` to `high`.
+std::string box_stl(const Vec3& low, const Vec3& high) {
+  constexpr std::array<std::array<int, 3>, 12> kFaces = {{{0, 2, 1},
+                                                          {1, 2, 3},
+                                                          {4, 5, 6},
+                                                          {5, 7, 6},
+                                                          {0, 1, 4},
+                                                          {1, 5, 4},
+                                                          {2, 6, 3},
+                                                          {3, 6, 7},
+                                                          {0, 4, 2},
+                                                          {2, 4, 6},
+                                                          {1, 3, 5},
+                                                          {3, 7, 5}}};
+  std::string text = "solid box\n";
+  for (const auto& face : kFaces) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int k : face) {
+      text += "vertex";
+      for (int axis = 0; axis < 3; ++axis) text += " " + exact_text((k >> axis & 1) != 0 ? high[axis] : low[axis]);
+      text += "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid box\n";
+}
+
+/// A folder with a thin tool, its length of 100 mm, and a box.
+class SmallProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fresh_folder();
+    write_text(
+        folder_ + "/tools.json",
+        R"({"units": "mm", "tools": [{"number": 1, "cutter": {"shape": "flat", "diameter": 1, "length": 12}}]})");
+    write_text(folder_ + "/lengths.csv", "tool,length\n1,100\n");
+  }
+  Outcome check(const std::string& text, const Vec3& low, const Vec3& high,
+                const std::vector<std::string>& more) const {
+    write_text(folder_ + "/program.nc", text);
+    write_text(folder_ + "/part.stl", box_stl(low, high));
+    std::vector<std::string> all = {"check", "program.nc", "--part",     "part.stl", "--stl-units",
+                                    "mm",    "--tools",    "tools.json", "--json",   "check.json"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_gougecheck(folder_, all);
+  }
+
+  std::string folder_;
+};
+
+// Without tool centre point control the tip swings on a circle about the axis A, by the length of the tool.
+TEST_F(SmallProgram, SwingsByTheLengthOfItsTool) {
+  const std::string text =
+      "G21 G17 G90 G94 G40 G49 G80\nT1 M6\nG0 A0. C0.\nX0. Y0.\nG43 H1 Z5.\nG1 X10. Z-5. F100.\nG1 A30. F100.\nM30\n";
+  const std::vector<std::string> machine = {
+      "--control",      "fanuc",         "--machine",         "preset:head-ca", "--joint-point",  "C=5,0,-10",
+      "--joint-point",  "A=5,3,-20",     "--feed-law",        "vector",         "--rapid-law",    "vector",
+      "--rotary-turns", "as-programmed", "--joint-rapid-law", "joint",          "--tool-lengths", "lengths.csv"};
+  // In the middle the tip is 80 mm from the axis of A, at 15 degrees; 8 degrees aside no tool passes.
+  const Vec3 middle(10, 80 * std::sin(15 * kDegree_rad), 75 - 80 * std::cos(15 * kDegree_rad)), half(0.4, 0.4, 0.3);
+  const Outcome swung = check(text, middle - half, middle + half, machine);
+  EXPECT_EQ(swung.exit_status, 1) << swung.out << swung.err;
+  const Outcome verified = run_gougecheck(folder_, {"verify", "check.json"});
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  const Vec3 aside(10, middle.y(), middle.z() - 3);
+  const Outcome clear = check(text, aside - half, aside + half, machine);
+  EXPECT_EQ(clear.exit_status, 0) << clear.out << clear.err;
+  EXPECT_EQ(run_gougecheck(folder_, {"verify", "check.json"}).exit_status, 0);
+}
+
+// The rapid from the tool change may pass through all that is as high as its end.
+TEST_F(SmallProgram, ThatBeginsBelowTheTopIsNotFullyChecked) {
+  const auto with = [&](const std::string& first, const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"--control", "haas", "--assume", "placement"};
+    all.insert(all.end(), more.begin(), more.end());
+    return check("G21 G17 G90 G94 G40 G49 G80\nT1 M6\n" + first + "G1 X55. F100.\nM30\n", Vec3(40, -50, -10),
+                 Vec3(48, 50, 60), all);
+  };
+  for (const char* first : {"G0 X50. Y0. Z5.\n", "G0 X50. Y0.\nZ5.\n", "G0 Z5.\nX50. Y0.\n"}) {
+    const Outcome ran = with(first, {"--joint-rapid-law", "joint"});
+    EXPECT_EQ(ran.exit_status, 4) << first << ran.out;
+    EXPECT_NE(ran.out.find("at height 5 mm, below the top of 60 mm"), std::string::npos) << first << ran.out;
+    EXPECT_EQ(with(first, {"--joint-rapid-law", "joint", "--assume", "complete"}).exit_status, 0) << first;
+  }
+  EXPECT_EQ(with("G0 X50. Y0. Z61.\nZ5.\n", {"--joint-rapid-law", "joint"}).exit_status, 0);
+}
+
+// No manual states which of both solutions of the rotary joints a control takes for a vector.
+TEST_F(SmallProgram, WithVectorsIsCheckedByTheLawOfVectorsAlone) {
+  const std::string text =
+      "G17 G71 G90 G40 G60 G94\nTRAFOOF\nT1 M6\nD1\nG54\nTRAORI\nG0 X0 Y0 B0 C0\nZ50\nG1 Z0 F100\nB60 C0 X10\n"
+      "A3=-0.852868532 B3=0.150383733 C3=0.5 X20\nX30\nM30\n";
+  const auto with = [&](const std::string& law) {
+    return check(text, Vec3(500, 0, 0), Vec3(501, 1, 1),
+                 {"--control", "siemens", "--machine", "preset:table-b-head", "--feed-law", law, "--rapid-law", law,
+                  "--rotary-turns", "as-programmed", "--tool-length", "100", "--joint-rapid-law", "joint", "--assume",
+                  "placement"});
+  };
+  for (const char* law : {"axis", "documented", "any"}) {
+    const Outcome ran = with(law);
+    EXPECT_EQ(ran.exit_status, 4) << law << ran.out << ran.err;
+    EXPECT_NE(ran.out.find(":11: not checked: the program states the tool axis as a vector"), std::string::npos)
+        << ran.out << ran.err;
+  }
+  const Outcome by_vector = with("vector");
+  EXPECT_EQ(by_vector.exit_status, 0) << by_vector.out << by_vector.err;
 }
 
 }  // namespace
