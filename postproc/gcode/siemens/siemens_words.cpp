@@ -20,6 +20,11 @@ bool is_address(std::string_view name) {
   return std::ranges::find(kLongAddresses, name) != kLongAddresses.end();
 }
 
+// G54, M30; not GOHOME, which may be a program.
+bool is_code_name(std::string_view name) {
+  return (name[0] == 'G' || name[0] == 'M') && (name.size() == 1 || is_digit(name[1]));
+}
+
 // Most names are one letter, for which no call of a comparison of texts pays.
 bool is_name(const SiemensWord& word, std::string_view name) {
   if (word.name.size() != name.size() || word.name[0] != name[0]) return false;
@@ -119,7 +124,7 @@ std::string SiemensWords::take(const SiemensBlock& block, const std::vector<std:
       wrong = take_value(word);
     else if (is_stated_harmless(word))
       continue;
-    else if (called_.empty() && word.name[0] != 'G' && word.name[0] != 'M' && word.arguments.empty())
+    else if (called_.empty() && !is_code_name(word.name) && word.arguments.empty())
       called_ = word.name;
     else
       wrong = word.name + " is not in the table of Siemens 840D";

@@ -57,12 +57,15 @@ TEST(SiemensFlow, SubprogramsBesideTheFileAreRead) {
   setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
     if (name == "L010.SPF") return "R1=R1+50\nM17\n";  // zeros are a part of the name
     if (name == "L10.SPF") return "R1=R1+1\nM17\nR1=100\n";
+    if (name == "GOHOME.SPF" || name == "MYSUB.SPF") return "G1 X7\nM17\n";
     if (name == "POCKET.SPF") return "PROC POCKET\nG1 X3\nRET\n";
     return std::nullopt;
   };
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL10 P3\nG1 X=R1 F100\n", setup).x(), 3);
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL010\nG1 X=R1 F100\n", setup).x(), 50);
   EXPECT_DOUBLE_EQ(tip_after("G1 X1 F100\nPOCKET\n", setup).x(), 3);
+  for (const char* name : {"GOHOME", "MYSUB"})
+    EXPECT_DOUBLE_EQ(tip_after(std::string("G1 X1 F100\n") + name + "\n", setup).x(), 7) << name;
   const ReadOutcome archive =
       test::read_siemens("%_N_MAIN_MPF\n" + kHead + "L10\nG1 X1 F100\nM30\n%_N_L10_SPF\nG1 X20\nM17\n", setup);
   EXPECT_FALSE(test::can_be_clean(archive));
