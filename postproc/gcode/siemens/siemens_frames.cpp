@@ -122,6 +122,10 @@ std::string SiemensRunner::why_frame_open() const {
   const bool is_on = motion_.tip_control() == TipControl::on && motion_.mapper().has_machine();
   const bool is_turned =
       is_on && (std::abs(motion_.angle_from_program(0, 0)) > 0 || std::abs(motion_.angle_from_program(1, 0)) > 0);
+  const bool is_swivel_turned =
+      modes_.has_swivel && motion_.mapper().has_machine() &&
+      (std::abs(motion_.angle_from_program(0, 0)) > 0 || std::abs(motion_.angle_from_program(1, 0)) > 0);
+  if (is_swivel_turned) return "CYCLE800 with a work offset of rotary axes, whose effect machine data state";
   if (is_turned) return "TRAORI with a work offset of rotary axes, whose effect machine data state";
   return {};
 }
@@ -157,6 +161,7 @@ void SiemensRunner::take_swivel(const SiemensWord& cycle) {
 std::string SiemensRunner::set_swivel(const SiemensWord& cycle) {
   constexpr std::size_t kStatus = 2, kMode = 3, kFirstZero = 4, kAngles = 7, kSecondZero = 10, kDirection = 13,
                         kDisplay = 15;
+  if (modes_.unit == LengthUnit::inch) return "the unit of the arguments of CYCLE800 is not stated";
   const auto order = turn_order(siemens_argument(cycle, kMode, 0));
   const bool is_plain = std::abs(siemens_argument(cycle, kStatus, 0)) <= 0 &&
                         std::abs(siemens_argument(cycle, kDisplay, 0)) <= 0 && cycle.arguments.size() <= kDisplay + 1;

@@ -115,9 +115,25 @@ void SiemensRunner::place_rotaries(Target& to) {
       error_ = describe_missing_axis(letter, setup_.machine.get(), input_.path.file, line_);
       return;
     }
-    to.place.angles.at(*rotary) = turned(*word, *rotary, to);
+    const double before = to.place.angles.at(*rotary), angle = turned(*word, *rotary, to);
+    settle_turn(*word, *rotary, before, angle, to);
+    to.place.angles.at(*rotary) = angle;
     to.place.axis.reset();
   }
+}
+
+// An axis with DC, ACP or ACN shows angles of one turn. No manual at hand states whether a later word counts the turns before.
+void SiemensRunner::settle_turn(const SiemensWord& word, std::size_t rotary, double before, double angle, Target& to) {
+  if (is_incremental(word)) return;
+  bool& is_open = modes_.is_turn_open.at(rotary);
+  if (word.measure != SiemensMeasure::modal && word.measure != SiemensMeasure::absolute) {
+    is_open = !is_within_turn(angle / kDegree_rad);
+    return;
+  }
+  if (is_open && std::abs(angle - before) > kRounding_deg * kDegree_rad && to.open.empty())
+    to.open =
+        word.name + " was taken beyond a turn by DC, ACP or ACN, and no manual states whether the control counts it";
+  is_open = false;
 }
 
 // The angle that a word states, with its turns, or the reason why the way to it is not known.

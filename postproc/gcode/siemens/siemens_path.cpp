@@ -11,9 +11,9 @@ namespace {
 
 using Mode = SiemensBlending::Mode;
 
-/// Returns whether a check by one law covers motions by another.
+/// Returns whether a check by one law covers motions by another. The great circle leaves the box of the rotary joints.
 bool covers(TurnLaw checked, TurnLaw run) {
-  return checked == run || checked == TurnLaw::documented || checked == TurnLaw::any;
+  return checked == run || checked == TurnLaw::documented || (checked == TurnLaw::any && run == TurnLaw::axis);
 }
 
 TurnLaw law_of(const SiemensRow& row) {
@@ -37,8 +37,10 @@ void SiemensRunner::take_blending() {
                                                             : Mode::tolerance;
     }
   }
-  if (const auto* const code = words_.code_of(SiemensGroup::compressor))
+  if (const auto* const code = words_.code_of(SiemensGroup::compressor)) {
     blending.is_compressed = code->row->meaning == SiemensMeaning::compressor_on;
+    blending.compressor = here(code->word->name);
+  }
   if (words_.value("ADIS") != nullptr) blending.distance_mm = length("ADIS");
   if (words_.value("ADISPOS") != nullptr) blending.rapid_distance_mm = length("ADISPOS");
   // A value below 0 ends the tolerance.
@@ -93,13 +95,19 @@ std::string SiemensRunner::why_path_open() const {
   const double bound = path_bound();
   if (!setup_.tip_tolerance_mm || bound > *setup_.tip_tolerance_mm) {
     const std::string by = is_known(bound) ? display_text(bound, 4) + " mm" : "an unknown distance";
-    return blending.word + " lets the tool leave its path by " + by + "; expected --tip-tolerance, or G60 with COMPOF";
+    return blending.cause() + " lets the tool leave its path by " + by +
+           "; expected --tip-tolerance, or G60 with COMPOF";
   }
-  if (motion_.tip_control() != TipControl::on) return {};
+  return {};
+}
+
+std::string SiemensRunner::why_turn_rounded() const {
+  const SiemensBlending& blending = modes_.blending;
+  if (blending.mode == Mode::exact && !blending.is_compressed) return {};
   const double turn_rad = blending.turn_deg * kDegree_rad;
   if (setup_.axis_tolerance_rad && !(turn_rad > *setup_.axis_tolerance_rad)) return {};
   const std::string by = is_known(turn_rad) ? display_text(blending.turn_deg, 4) + " degrees" : "an unknown angle";
-  return blending.word + " lets the tool turn away from its path by " + by + "; expected --axis-tolerance";
+  return blending.cause() + " lets the tool turn away from its path by " + by + "; expected --axis-tolerance";
 }
 
 // Words that state another law than that of the check. Machine data choose which of the two groups counts.
@@ -109,10 +117,11 @@ std::string SiemensRunner::why_turn_open() const {
   for (const SiemensRow* row : {modes_.turn_frame, modes_.turn_path}) {
     if (row == nullptr) continue;
     const TurnLaw run = law_of(*row);
-    for (const TurnLaw checked : {laws.feeds, laws.rapids}) {
+    for (const bool is_feed : {true, false}) {
+      const TurnLaw checked = is_feed ? laws.feeds : laws.rapids;
       if (covers(checked, run)) continue;
       return std::string(row->name) + " turns the tool by law " + turn_law_name(run) + ", and the check runs by " +
-             turn_law_name(checked) + "; expected --law documented";
+             turn_law_name(checked) + "; expected " + (is_feed ? "--feed-law" : "--rapid-law") + " documented";
     }
   }
   return {};
@@ -120,6 +129,9 @@ std::string SiemensRunner::why_turn_open() const {
 
 void SiemensRunner::settle_path() {
   std::string open = why_path_open();
+  const std::string rounded = why_turn_rounded();
+  motion_.doubt_turns(rounded);
+  if (open.empty() && motion_.tip_control() == TipControl::on) open = rounded;
   if (open.empty()) open = why_turn_open();
   const SiemensRow* const rapids = modes_.rapid_kind;
   const bool runs_apart = rapids != nullptr && rapids->meaning == SiemensMeaning::rapid_apart;

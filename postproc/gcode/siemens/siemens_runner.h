@@ -25,11 +25,15 @@ struct SiemensBlending {
   enum class Mode : std::uint8_t { not_stated, exact, free, distance, tolerance, cycle };
   Mode mode = Mode::not_stated;
   bool is_compressed = false;
+  std::string compressor;                       ///< its word and line
   std::string word = "the state at the start";  ///< that states it
   double distance_mm = kUnknownValue;           ///< ADIS
   double rapid_distance_mm = kUnknownValue;     ///< ADISPOS
   double turn_deg = kUnknownValue;              ///< OTOL
   double tolerance_mm = kUnknownValue;          ///< CTOL, or the first argument of CYCLE832
+
+  /// Returns the word that lets the tool leave its path, with its line.
+  [[nodiscard]] const std::string& cause() const { return mode == Mode::exact ? compressor : word; }
 };
 
 /// Modal values of a program that are not those of ProgramMotion. Empty: nothing states them.
@@ -55,6 +59,7 @@ struct SiemensModes {
   std::string open_length = "nothing states D before this block; expected --start D1 or D0";
   std::optional<SiemensWord> next_tool;
   std::optional<SiemensWord> modal_cycle;  ///< of MCALL
+  std::array<bool, 2> is_turn_open{};      ///< of rotary joints: DC, ACP or ACN took them beyond a turn, counted or not
   Vec3 is_moved = Vec3::Zero();  ///< 1: the frame or the length changed after the last absolute word of the axis
 };
 
@@ -97,6 +102,7 @@ class SiemensRunner {
   void settle_path();
   [[nodiscard]] double path_bound() const;
   [[nodiscard]] std::string why_path_open() const;
+  [[nodiscard]] std::string why_turn_rounded() const;
   [[nodiscard]] std::string why_turn_open() const;
   // Frames.
   void take_frame(const SiemensWords::Code& code);
@@ -113,6 +119,7 @@ class SiemensRunner {
   void place_axes(Target& to);
   void place_rotaries(Target& to);
   void place_vector(Target& to);
+  void settle_turn(const SiemensWord& word, std::size_t rotary, double before, double angle, Target& to);
   [[nodiscard]] double turned(const SiemensWord& word, std::size_t rotary, Target& to) const;
   [[nodiscard]] std::string missing_fact() const;
   void move_to_target(MoveKind kind);

@@ -217,6 +217,33 @@ TEST(SiemensTraps, TheWayOfARotaryAxis) {
   expect_open(head + "G1 C-10 F100", "--rotary-turns", full_setup());
   expect_open(head + "G1 C270 F100", "--rotary-turns", full_setup());
   expect_open(head + "G1 C=DC(180) F100", "half a turn", full_setup());
+  // No manual states whether an axis of one turn counts the turn that DC completes.
+  ProgramSetup winds = full_setup();
+  winds.winds_as_programmed = true;
+  expect_open(head + "G1 C350 F100\nC=DC(10)\nC20", "beyond a turn by DC", winds);
+  expect_open(head + "G1 C=IC(350) F100\nC=ACP(10)\nC0", "beyond a turn by DC", winds);
+  for (const char* way : {"G1 C20 F100\nC=DC(10)\nC20", "G1 C350 F100\nC=DC(10)\nC=DC(20)"})
+    EXPECT_TRUE(test::can_be_clean(test::read_siemens(kHead + head + way + "\nM30\n", winds))) << way;
+}
+
+// The great circle leaves the box of the rotary joints, which the law any covers.
+TEST(SiemensTraps, TheLawAnyDoesNotCoverVectors) {
+  ProgramSetup setup = full_setup();
+  setup.laws = TurnLaws{TurnLaw::any, TurnLaw::any, TurnLaw::joint};
+  const std::string start = "G0 B0 C0\nTRAORI\nG0 X1 Y2 Z50\n";
+  expect_open(start + "ORIVECT\nG1 X5 B30 F100", "expected --feed-law documented", setup);
+  EXPECT_TRUE(test::can_be_clean(test::read_siemens(kHead + start + "ORIAXES\nG1 X5 B30 F100\nM30\n", setup)));
+}
+
+// Rounding rounds the turns of rotary axes too, with TRAORI and without it.
+TEST(SiemensTraps, RoundingNeedsAToleranceOfTheAxis) {
+  ProgramSetup setup = full_setup();
+  setup.tip_tolerance_mm = 0.1;
+  setup.winds_as_programmed = true;
+  const std::string start = "G0 B0 C0\nG0 X1 Y2 Z50\nG64\nG1 X3 F100\n";
+  expect_open(start + "X5 B30", "G64 in line", setup);
+  EXPECT_TRUE(test::can_be_clean(test::read_siemens(kHead + start + "X5\nM30\n", setup)));
+  expect_open("G0 B0 C0\nTRAORI\nG0 X1 Y2 Z50\nG60 COMPCAD CTOL=0.01\nG1 X3 F100", "COMPCAD in line", setup);
 }
 
 TEST(SiemensTraps, LawsOfTheProgramAndOfTheCheck) {
