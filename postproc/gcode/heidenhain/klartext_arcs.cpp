@@ -106,6 +106,9 @@ void KlartextRunner::go_polar_arc(const PathWords& words) {
   if (!angle || !words.is_clockwise) to.open = "CP states no angle or no direction";
   if (to.open.empty() && !(radius > 0 && std::abs(angle->value) <= kMaxAngle_deg))
     to.open = "the pole, the start or the angle of CP is not known";
+  constexpr double kTurn_deg = 360;
+  if (to.open.empty() && !angle->is_step && std::abs(angle->value) > kTurn_deg)
+    to.open = "no manual states whether PA counts the turns beyond the first; expected IPA";
   double sweep_deg = kUnknownValue;
   if (to.open.empty()) {
     sweep_deg = angle->is_step ? angle->value : std::remainder(angle->value - from_deg, 360);

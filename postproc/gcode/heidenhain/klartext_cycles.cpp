@@ -4,6 +4,7 @@
 
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/gcode/heidenhain/klartext_runner.h"
 
 // Cycles: those that act where they are defined, and drilling as the motions that the control makes.
@@ -86,10 +87,9 @@ void KlartextRunner::define_value(int cycle, const Words& words) {
   const bool is_step = is_number && is_rotation && words[0].name == "IROT";
   if (!is_number || (words[0].name != value && !is_step))
     return lose_rest("CYCL DEF " + std::to_string(cycle) + ".1 needs " + std::string(value));
-  if (is_rotation)
-    frame_.rotate(words[0].value, is_step);
-  else
-    frame_.scale(words[0].value);
+  if (!is_rotation) return frame_.scale(words[0].value);
+  frame_.rotate(words[0].value, is_step);
+  rotation_line_ = line_;
 }
 
 void KlartextRunner::define_mirror(const Words& words) {
@@ -141,8 +141,10 @@ void KlartextRunner::define_shift(const Words& words) {
 // Source: TNC 640 34059x-05, cycle 32: T of the contour, HSC-MODE, TA of rotary axes.
 void KlartextRunner::define_tolerance(int step, const Words& words) {
   const auto exceeds = [&](double stated, std::optional<double> covered) { return !(stated <= covered.value_or(0)); };
-  const std::optional<double> axis_deg =
-      setup_.machine ? std::optional(setup_.machine->control.axis_tolerance_rad / kDegree_rad) : std::nullopt;
+  const auto turn_reason = [&](const std::string& by) {
+    return "cycle 32 in line " + std::to_string(line_) + " lets rotary axes leave their path by " + by +
+           "; expected --axis-tolerance";
+  };
   if (step == 1) {
     if (words.size() > 1 || (words.size() == 1 && !words[0].has_number("T"))) return lose_rest("CYCL DEF 32.1 needs T");
     const double stated = words.empty() ? kUnknownValue : length(words[0].value);
@@ -151,15 +153,20 @@ void KlartextRunner::define_tolerance(int step, const Words& words) {
       tolerance_open_ = "cycle 32 in line " + std::to_string(line_) + " lets the tool leave its path by " +
                         (is_known(stated) ? display_text(stated, 4) + " mm" : "an unknown distance") +
                         "; expected --tip-tolerance";
+    // Without TA a parameter of the machine states the tolerance of its rotary axes.
+    motion_.doubt_turns(setup_.axis_tolerance_rad ? "" : turn_reason("an unknown angle"));
     return settle_path();
   }
   if (step != 2) return lose_rest("CYCL DEF 32." + std::to_string(step) + " is not read");
   for (const KlartextWord& word : words) {
     const bool is_angle = word.has_number("TA"), is_mode = word.name == "HSC" || word.name == "MODE";
     if (!is_angle && !is_mode) return lose_rest("'" + word_text(word) + "' has no place in CYCL DEF 32.2");
-    if (is_angle && motion_.mapper().has_machine() && exceeds(word.value, axis_deg) && tolerance_open_.empty())
-      tolerance_open_ = "cycle 32 in line " + std::to_string(line_) + " lets rotary axes leave their path by " +
-                        display_text(word.value, 4) + " degrees; expected --axis-tolerance";
+    if (!is_angle || !motion_.mapper().has_machine()) continue;
+    constexpr double kRounding = 1 + Tolerance::kSingleSum;
+    const bool is_covered =
+        setup_.axis_tolerance_rad && word.value * kDegree_rad <= *setup_.axis_tolerance_rad * kRounding;
+    motion_.doubt_turns({});
+    if (!is_covered && tolerance_open_.empty()) tolerance_open_ = turn_reason(display_text(word.value, 4) + " degrees");
   }
   settle_path();
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "lib/base/tolerance.h"
 #include "postproc/gcode/heidenhain/klartext_runner.h"
@@ -106,12 +107,26 @@ KlartextRunner::Target KlartextRunner::target(const PathWords& words) {
     own = word->is_step ? own + length(word->value) : length(word->value);
     if (!is_known(word->value)) to.open = std::string("the value of ") + "XYZ"[i] + " is not known";
   }
+  activate_rotation(words, to);
   aim_rotary(words, to);
   if (words.function(Meaning::machine_place) != nullptr) aim_at_machine_place(words, to);
   if (words.function(Meaning::unknown_place) == nullptr) return to;
   to.place = AxisPlace{};
   to.open = "the block refers to a place that only the machine knows";
   return to;
+}
+
+// Source: cycle 10: it is active for both axes of the plane only after a motion of both.
+void KlartextRunner::activate_rotation(const PathWords& words, Target& to) {
+  const bool has_x = words.xyz[0].has_value(), has_y = words.xyz[1].has_value();
+  if (rotation_line_ == 0 || (!has_x && !has_y)) return;
+  if (!has_x || !has_y) {
+    to.place.xyz.head<2>().setConstant(kUnknownValue);
+    to.open = "CYCL DEF 10 in line " + std::to_string(rotation_line_) +
+              " is active after a motion of X and Y, and this block moves one of them";
+    return;
+  }
+  rotation_line_ = 0;
 }
 
 void KlartextRunner::aim_rotary(const PathWords& words, Target& to) {
@@ -145,11 +160,16 @@ void KlartextRunner::aim_joint(std::size_t rotary, const PathCoordinate& word, b
     return;
   }
   angle = is_of_machine ? word.value * kDegree_rad : motion_.angle_from_program(rotary, word.value);
+  const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(rotary)];
+  const bool was_turn_open = std::exchange(is_turn_open_.at(rotary), false);
+  const bool stands = std::abs(angle - before) <= kRounding_rad;
+  if (was_turn_open && !takes_shortest_ && !stands)
+    to.open = "M126 took " + joint.name + " beyond a turn, and no manual states whether the control counts it";
   const bool is_long = std::abs(angle - before) >= kHalf_rad - kRounding_rad;
   if (!is_long) return;
-  const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(rotary)];
   if (takes_shortest_) {
     if (joint.is_continuous) angle -= kWholeTurn_rad * std::round((angle - before) / kWholeTurn_rad);
+    is_turn_open_.at(rotary) = angle < -kRounding_rad || angle >= kWholeTurn_rad - kRounding_rad;
     const bool is_clear = joint.is_continuous && std::abs(angle - before) < kHalf_rad - kRounding_rad;
     if (!is_clear) to.open = "the way of " + joint.name + " by half a turn and more under M126 is not known";
   } else if (!setup_.winds_as_programmed.value_or(false)) {
@@ -204,6 +224,7 @@ void KlartextRunner::aim_at_machine_place(const PathWords& words, Target& to) {
     is_open = is_open || std::isnan(stated[static_cast<int>(i)]);
   }
   to.place.xyz = frame_.inside(outside);
+  if (has_step && to.open.empty()) to.open = "a place of the machine by M91 needs absolute values";
   if (is_open && to.open.empty())
     to.open =
         "the place of M91 in the coordinates of the part is not known; expected --offset of the preset in force, "

@@ -80,7 +80,7 @@ void KlartextRun::find_labels() {
     }
     const KlartextBlock block = read_klartext_block(text_, i);
     std::string_view text = block.text;
-    if (take_keywords(text, "END PGM")) return;
+    if (take_keywords(text, "END PGM")) return motion_.note_run(i, i + 1);
     if (take_keywords(text, "LBL"))
       if (std::string name = take_label(text); !name.empty() && name != "0") labels_[name].push_back(i);
     i = std::max(block.next_index, i + 1);
@@ -102,6 +102,7 @@ void KlartextRun::run() {
       break;
     }
     const KlartextBlock block = read_klartext_block(text_, at_);
+    motion_.note_run(at_, block.next_index);
     next_ = std::max(block.next_index, at_ + 1);
     run_block(block);
   }

@@ -77,6 +77,7 @@ class KlartextRunner {
   void control_tip(std::string_view text);
   void begin_tip_control(const std::string& open);
   [[nodiscard]] std::string why_point_open() const;
+  [[nodiscard]] bool has_turned_preset() const;
   void end_tip_control();
   void switch_tip_control(TipControl control);
   void settle_frame();
@@ -103,6 +104,7 @@ class KlartextRunner {
   [[nodiscard]] std::string why_corner_open() const;
   [[nodiscard]] Target target(const PathWords& words);
   [[nodiscard]] Target polar_target(const PathWords& words);
+  void activate_rotation(const PathWords& words, Target& to);
   void aim_rotary(const PathWords& words, Target& to);
   void aim_joint(std::size_t rotary, const PathCoordinate& word, bool is_of_machine, Target& to);
   void align_with_plane(const PathWords& words, Target& to);
@@ -142,6 +144,8 @@ class KlartextRunner {
   std::array<int, 2> step_{};                  // cycle and step that a numbered cycle has defined last; cycle 0: none
   bool needs_step_ = false;                    // a numbered cycle has no values yet
   bool takes_shortest_ = false;                // M126
+  std::array<bool, 2> is_turn_open_{};         // of rotary joints: M126 may have left the count of turns or not
+  std::size_t rotation_line_ = 0;              // of a rotation that is not active for both axes of the plane; 0: none
   bool has_preset_ = false;
   bool has_begun_ = false, has_ended_ = false;
   bool is_cut_ = false;          // a block follows that rounds the end of this motion

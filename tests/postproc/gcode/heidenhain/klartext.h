@@ -48,6 +48,17 @@ inline GcodeOptions on_machine(const std::string& name) {
   return options;
 }
 
+/// The same machine with its rotary axes through the part zero.
+inline GcodeOptions on_placed_machine(const std::string& name) {
+  GcodeOptions options = on_machine(name);
+  Machine placed = *options.setup.machine;
+  for (Joint& joint : placed.joints) joint.has_point = true;
+  options.setup.machine = std::make_shared<const Machine>(placed);
+  options.setup.tool_length_mm = 100;
+  options.setup.are_joint_rapids_straight = true;
+  return options;
+}
+
 /// The tips of all moves as text: "(x, y, z)", with the reason of those that are not checked.
 inline std::string tips(const Toolpath& path) {
   std::string text;

@@ -102,6 +102,23 @@ TEST(KlartextTolerance, OfRotaryAxesMustBeCoveredByTheCheck) {
   options.setup.tool_length_mm = 100;
   const std::string cycle = "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA0.5\n";
   expect_open("L B+0 C+0 FMAX\n" + kStart + "L X+1\n" + cycle + "L X+2\n", "0.5 degrees", options);
+  // Without TA a parameter of the machine states it.
+  options = on_placed_machine("table-b-head");
+  options.setup.tip_tolerance_mm = 1;
+  const std::string unknown = "L B+0 C+0 FMAX\n" + kStart + "CYCL DEF 32.0 X\nCYCL DEF 32.1 T0.05\nL X+1\nL X+2 B+10\n";
+  expect_open(unknown, "an unknown angle", options);
+  options.setup.axis_tolerance_rad = 0.5 * std::numbers::pi / 180;
+  for (const std::string& text : {"L B+0 C+0 FMAX\n" + kStart + cycle + "L X+2 F100\n", unknown})
+    EXPECT_EQ(tips(blocks_of(text, options)).find("open"), std::string::npos) << text;
+}
+
+// No manual at hand states what a preset of rotary axes means there.
+TEST(KlartextTools, PresetsOfRotaryAxesAreNotReadWithTipControl) {
+  GcodeOptions options = on_placed_machine("table-b-head");
+  options.setup.offsets["PRESET"] = {Vec3::Zero(), Vec3(0, 0, 90)};
+  const std::string start = "L B+0 C+0 FMAX\n" + kStart;
+  expect_open(start + "L M128\nL X+1\n", "a preset of rotary axes", options);
+  expect_open(start + "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN FMAX\nL X+1\n", "a preset of rotary axes", options);
 }
 
 TEST(KlartextTools, AreThoseOfToolCall) {

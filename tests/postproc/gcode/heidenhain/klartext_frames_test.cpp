@@ -46,6 +46,16 @@ TEST(KlartextFrames, AreRotated) {
   EXPECT_NEAR(arc.sweep_rad, std::numbers::pi / 2, 1e-9);
 }
 
+// Cycle 10 is active for both axes of the plane only after a motion of both.
+TEST(KlartextFrames, AreRotatedOnceBothAxesMove) {
+  expect_open(kStart + rotation("ROT+90") + "L X+10 F100\n", "is active after a motion of X and Y");
+  expect_open(kStart + rotation("ROT+90") + "L IY+10 F100\n", "is active after a motion of X and Y");
+  EXPECT_EQ(tips(blocks_of(kStart + rotation("ROT+90") + "L Z+4 F100\nL X+10 Y+0\nL X+20\n")),
+            "(10,0,5) (10,0,4) (0,10,4) (0,20,4)");
+  EXPECT_EQ(tips(blocks_of(kStart + rotation("ROT+90") + "L X+10 F100\nL X+10 Y+0\nL X+20\n")),
+            "(10,0,5) open open (0,20,5)");
+}
+
 TEST(KlartextFrames, AreMirroredWithTheirArcs) {
   const Toolpath path = blocks_of(mirror("X") + kStart + "CC X+0 Y+0\nC X+0 Y+10 DR+ F100\n" + mirror("") + "L X+1\n");
   EXPECT_EQ(tips(path), "(-10,0,5) (0,10,5) (1,10,5)");
@@ -53,6 +63,10 @@ TEST(KlartextFrames, AreMirroredWithTheirArcs) {
   const Toolpath both = blocks_of(mirror("X Y") + kStart + "CC X+0 Y+0\nC X+0 Y+10 DR+ F100\n");
   EXPECT_EQ(tips(both), "(-10,0,5) (0,-10,5)");
   EXPECT_DOUBLE_EQ(both.arcs[both.moves[1].curve].axis.z(), 1);
+}
+
+TEST(KlartextFrames, NeedTheirAnglesInOrder) {
+  expect_open(kStart + "PLANE SPATIAL SPC+40 SPB+30 SPA+20 STAY\n" + kStart, "SPA, SPB and SPC, in this order");
 }
 
 TEST(KlartextFrames, AreNotKnownByAScale) {

@@ -80,6 +80,7 @@ TEST(KlartextArcs, AreHelicesWithAllTheirTurns) {
   EXPECT_EQ(tips(path), "(0,0,10) (10,10,5)");
   EXPECT_NEAR(last_arc(path).sweep_rad, 1890 * std::numbers::pi / 180, 1e-9);
   expect_open(kStart + "CC X+10 Y+0\nCP IPA-1890 IZ-5 DR+ F100\n", "signs of IPA and DR");
+  expect_open(kStart + "CC X+10 Y+0\nCP PA+810 Z+0 DR+ F100\n", "whether PA counts the turns");
 }
 
 TEST(KlartextArcs, ContinueTheirTangent) {

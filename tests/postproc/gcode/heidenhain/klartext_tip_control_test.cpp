@@ -14,15 +14,7 @@ const std::string kStart = "L B+0 C+0 R0 FMAX\nL X+0 Y+0 Z+50 FMAX\n";
 const std::string kTcpm = "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT TIP-TIP\n";
 
 // A C table and a B head: the tool axis is (sin B cos C, -sin B sin C, cos B) in the part.
-GcodeOptions machine() {
-  GcodeOptions options = on_machine("table-b-head");
-  options.setup.tool_length_mm = 100;
-  options.setup.are_joint_rapids_straight = true;
-  Machine placed = *options.setup.machine;  // its rotary axes meet in the part zero
-  for (Joint& joint : placed.joints) joint.has_point = true;
-  options.setup.machine = std::make_shared<const Machine>(placed);
-  return options;
-}
+GcodeOptions machine() { return on_placed_machine("table-b-head"); }
 
 GcodeOptions machine_with_tip() {
   GcodeOptions options = machine();
@@ -155,6 +147,12 @@ TEST(KlartextRotary, GoesByHalfATurnAndMoreOnlyWhereItsWayIsKnown) {
   EXPECT_EQ(count_open(shorter), 0U) << last_reason(shorter);
   EXPECT_NEAR((*shorter.joints->end.back())[0], 370 * std::numbers::pi / 180, 1e-9);
   expect_open(kStart + kTcpm + "L C+170 F500 M126\nL C+350\n", "half a turn", machine());
+  // No manual states whether the control counts a turn that M126 completes.
+  GcodeOptions winds = machine();
+  winds.setup.winds_as_programmed = true;
+  expect_open(kStart + kTcpm + "L C+170 F500 M126\nL C+340\nL C+10\nL X+1 M127\nL C+20\n", "beyond a turn", winds);
+  EXPECT_EQ(tips(blocks_of(kStart + kTcpm + "L C+170 F500 M126\nL C+300\nL X+1 M127\nL C+20\n", winds)).find("open"),
+            std::string::npos);
   expect_open(kStart + kTcpm + "L C+170 F500 M126\nL C+171 M127\n", "M127", machine());
   expect_open(kStart + kTcpm + "L C+170 F500 M126\nL X+1 M127\nL C+370\n", "--rotary-turns", machine());
 }
