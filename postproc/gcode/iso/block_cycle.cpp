@@ -15,7 +15,12 @@ void BlockRunner::drill(const GcodeRow& row) {
   if (words_.has('R')) cycle_.r_mm = length('R');
   if (words_.is_axis('Z')) cycle_.z_mm = length('Z');
   if (!words_.has_axes() && !words_.has('R')) {
-    const bool has_cycle_words = words_.row_of(ModalGroup::motion) != nullptr || words_.has_any("LPQK");
+    const auto takes_them = [](const GcodeRow* one) {
+      return one->words.find_first_of("LPQK") != std::string_view::npos;
+    };
+    const bool is_of_others = std::ranges::any_of(words_.rows(), takes_them);
+    const bool has_cycle_words =
+        words_.row_of(ModalGroup::motion) != nullptr || (words_.has_any("LPQK") && !is_of_others);
     if (has_cycle_words) lose_rest("words of a cycle without a position", line_);
     return;
   }

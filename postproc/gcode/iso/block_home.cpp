@@ -20,7 +20,8 @@ void BlockRunner::move_to_machine_place() {
     const auto rotary = motion_.mapper().rotary_of(letter);
     if (words_.is_axis(letter) && rotary) to.angles.at(*rotary) = kUnknownValue;
   }
-  const bool is_rapid = modes_.motion != nullptr && modes_.motion->meaning == GcodeMeaning::rapid;
+  const bool is_rapid = index_.control().takes_rapids_to_machine_places ||
+                        (modes_.motion != nullptr && modes_.motion->meaning == GcodeMeaning::rapid);
   const MoveKind kind = is_rapid ? MoveKind::rapid : MoveKind::feed;
   const bool is_incremental = modes_.is_absolute == false;
   if (is_incremental) to.xyz.setConstant(kUnknownValue);

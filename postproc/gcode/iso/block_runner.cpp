@@ -171,7 +171,10 @@ void BlockRunner::take_path_control(const GcodeRow& row) {
                             std::to_string(line_));
     return;
   }
-  if (row.meaning == Meaning::harmless && kind != ProgramDoubt::rest) motion_.end_doubt(kind);
+  if (row.meaning == Meaning::harmless && kind != ProgramDoubt::rest) {
+    motion_.end_doubt(kind);
+    if (kind == ProgramDoubt::path_control) motion_.doubt_turns({});
+  }
   if (row.meaning == Meaning::blending) take_blending(row);
 }
 
@@ -184,14 +187,19 @@ void BlockRunner::take_blending(const GcodeRow& row) {
     distance_mm = letter != row.distance.front() ? distance_mm + stated : stated > 0 ? stated : kUnknownValue;
   }
   lost_.clear();  // an unknown distance is one that the user covers, or a doubt
+  const std::string where = line_ == 0 ? ", in force at the start," : " in line " + std::to_string(line_);
+  const std::string word = code_text(row.letter, row.number) + where;
+  // No manual at hand states a bound for the rotary joints.
+  motion_.doubt_turns(
+      setup_.axis_tolerance_rad
+          ? ""
+          : word + " lets the tool turn away from its path by an unknown angle; expected --axis-tolerance");
   if (setup_.tip_tolerance_mm && !(least_mm > *setup_.tip_tolerance_mm))
     return motion_.end_doubt(ProgramDoubt::path_control);
   const std::string by = is_known(distance_mm) ? display_text(distance_mm, 4) + " mm" : "an unknown distance";
-  const std::string code = code_text(row.letter, row.number);
   const bool is_start = line_ == 0;
   motion_.doubt(ProgramDoubt::path_control,
-                code + (is_start ? ", in force at the start," : " in line " + std::to_string(line_)) +
-                    " lets the tool leave its path by " + by +
+                word + " lets the tool leave its path by " + by +
                     (is_start ? "; expected --start G61 or --tip-tolerance" : "; expected --tip-tolerance"));
 }
 
@@ -257,7 +265,7 @@ double BlockRunner::length(char letter) {
 void BlockRunner::move() {
   for (const GcodeRow* row : words_.rows()) {
     if (row->meaning == Meaning::home) {
-      go_home(*row);
+      motion_.run_by_machine([&] { go_home(*row); });
       return end_length_by(*row);
     }
     if (moves_axes_itself(*row)) return;
@@ -266,7 +274,7 @@ void BlockRunner::move() {
   if (const GcodeRow* const by_machine = words_.row_of(Meaning::machine_place)) {
     if (stated != nullptr) modes_.motion = stated;
     if (!words_.has_axes()) return;
-    move_to_machine_place();
+    motion_.run_by_machine([&] { move_to_machine_place(); });
     return end_length_by(*by_machine);
   }
   const bool needs_feed =
@@ -332,6 +340,18 @@ void BlockRunner::go_round(const GcodeRow& row, const Target& to) {
   motion_.go_round(to.place, read.arc);
 }
 
+// Whether an absolute rotary word means the same turn by every parameter of the control. Source: Fanuc, B-63534EN, 20.2.2.
+bool BlockRunner::is_turn_stated(std::size_t rotary, double degrees, double way_deg) const {
+  constexpr double kHalfTurn_deg = 180, kRounding_deg = 1e-6;
+  const RotaryTurns turns = index_.control().turns;
+  if (turns == RotaryTurns::as_programmed || std::abs(way_deg) <= kRounding_deg) return true;
+  if (std::abs(way_deg) >= kHalfTurn_deg - kRounding_deg) return false;
+  // Only an axis without ends rolls over. The way from a place that is not known is no motion that is checked.
+  const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(rotary)];
+  const bool has_ends = joint.min && joint.max && !joint.is_continuous;
+  return turns != RotaryTurns::may_follow_sign || has_ends || (degrees >= 0 && !(way_deg < 0));
+}
+
 BlockRunner::Target BlockRunner::target() {
   Target to{motion_.place(), {}};
   const bool is_absolute = modes_.is_absolute.value_or(true);
@@ -355,11 +375,10 @@ BlockRunner::Target BlockRunner::target() {
     const double before = angle;
     angle = is_absolute ? motion_.angle_from_program(*rotary, degrees) : angle + degrees * kDegree_rad;
     if (!modes_.is_absolute) angle = kUnknownValue;
-    const bool may_be_shorter =
-        modes_.is_absolute == true && !setup_.winds_as_programmed.value_or(index_.control().winds_as_programmed);
-    constexpr double kHalfTurn_deg = 180, kRounding_deg = 1e-6;
-    if (may_be_shorter && std::abs(angle - before) >= (kHalfTurn_deg - kRounding_deg) * kDegree_rad)
-      to.open = std::string("a parameter of the control may shorten the turn of ") + letter +
+    const bool may_turn_otherwise = modes_.is_absolute == true && !setup_.winds_as_programmed.value_or(false) &&
+                                    !is_turn_stated(*rotary, degrees, (angle - before) / kDegree_rad);
+    if (may_turn_otherwise)
+      to.open = std::string("a parameter of the control may change the turn of ") + letter +
                 "; expected --rotary-turns as-programmed";
   }
   if (!modes_.is_absolute) to.open = "nothing states G90 or G91 before this block; expected --start G90";

@@ -98,6 +98,7 @@ class BlockRunner {
   [[nodiscard]] std::optional<int> times_of_cycle();
 
   [[nodiscard]] Target target();
+  [[nodiscard]] bool is_turn_stated(std::size_t rotary, double degrees, double way_deg) const;
   [[nodiscard]] double number(char letter, double plain_increment_mm);
   [[nodiscard]] double length(char letter);
   [[nodiscard]] double mm_per_unit() const { return mm_per(modes_.unit.value_or(LengthUnit::mm)); }

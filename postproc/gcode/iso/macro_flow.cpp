@@ -76,7 +76,7 @@ void ProgramRun::run_macro(std::string_view flow) {
 }
 
 // The block is looked for in the program that runs: from O to the next O.
-void ProgramRun::go_to(int number) {
+std::optional<std::size_t> ProgramRun::find_block(int number) const {
   std::size_t begin = calls_.empty() ? text_->begin() : calls_.back().begin, end = text_->end();
   const auto is_name = [&](std::size_t i) {
     const std::string_view line = trim_blanks(text_->line(i));
@@ -87,7 +87,11 @@ void ProgramRun::go_to(int number) {
     end = i;
     break;
   }
-  const auto block = text_->find_label('N', number, begin, end, true);
+  return text_->find_label('N', number, begin, end, true);
+}
+
+void ProgramRun::go_to(int number) {
+  const auto block = find_block(number);
   if (!block) return lose("no block, or more than one, has the number N" + std::to_string(number));
   next_ = *block;
 }

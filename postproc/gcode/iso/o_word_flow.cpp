@@ -129,7 +129,7 @@ void ProgramRun::call_o_word(const std::string& label, std::string_view argument
   if (motion_.is_rest_unknown()) return;
   variables_.begin_call();
   for (std::size_t k = 0; k < kMaxArguments; ++k)
-    variables_.set(std::to_string(k + 1), k < values.size() ? values[k] : 0);
+    variables_.set(std::to_string(k + 1), k < values.size() ? values[k] : 0, false);
 }
 
 void ProgramRun::run_o_loop(const std::string& label, const std::string& word, std::string_view rest) {

@@ -87,7 +87,18 @@ void ProgramRun::lose_at_system_variable(const std::vector<GcodeAssignment>& ass
 }
 
 void ProgramRun::assign(const std::vector<GcodeAssignment>& assignments) {
-  for (const GcodeAssignment& one : assignments) variables_.set(one.variable, one.value);
+  for (const GcodeAssignment& one : assignments) variables_.set(one.variable, one.value, one.is_rounded);
+}
+
+// Returns the text behind O1000, :1000 or <name> that is no comment.
+std::string_view ProgramRun::behind_name(std::string_view line) {
+  line = trim_blanks(line);
+  const std::size_t close = line[0] == '<' ? line.find('>') : 0;
+  line.remove_prefix(std::min(close, line.size() - 1) + 1);
+  while (!line.empty() && (is_digit(line[0]) || line[0] == ' ' || line[0] == '\t')) line.remove_prefix(1);
+  while (line.starts_with('(') && line.find(')') != std::string_view::npos)
+    line = trim_blanks(line.substr(line.find(')') + 1));
+  return line == ";" ? std::string_view() : line;
 }
 
 // On controls whose programs have numbers, O with the number begins a program.
@@ -97,6 +108,11 @@ bool ProgramRun::names_program(std::string_view line) {
   if (first != 'O' && first != '<' && first != ':') return false;
   const bool is_beginning = at_ == text_->begin() || (!calls_.empty() && at_ == calls_.back().begin);
   if (!is_beginning) lose("the program runs into the next one, which begins here; expected M30 or M99 before it");
+  const std::string_view words = behind_name(line);
+  const bool may_be_block = words.find_first_of("0123456789#(") != std::string_view::npos;
+  if (may_be_block)
+    lose("'" + std::string(words.substr(0, 20)) +
+         "' stands in the block of the program's name; expected a block of its own");
   return true;
 }
 
@@ -128,7 +144,7 @@ void ProgramRun::follow(const NextBlock& next) {
 
 void ProgramRun::call(const NextBlock& next) {
   if (next.kind == NextBlock::Kind::call_block) {
-    const auto block = text_->find_label('N', next.target, text_->begin(), text_->end(), true);
+    const auto block = find_block(next.target);
     if (!block) return lose("no block, or more than one, has the number N" + std::to_string(next.target));
     return begin_call(*text_, *block, next.times, false);
   }
@@ -139,7 +155,11 @@ void ProgramRun::call(const NextBlock& next) {
     return lose("program O" + std::to_string(next.target) +
                 " is neither in the file nor beside it; expected one file such as O" + std::to_string(next.target) +
                 ".nc");
-  begin_call(*other, other->begin(), next.times, false);
+  const auto named = other->find_label('O', next.target, other->begin(), other->end(), true);
+  const bool has_names = other->begin() < other->end() && first_letter(other->line(other->begin())) == 'O';
+  if (!named && has_names)
+    return lose("the file of program O" + std::to_string(next.target) + " holds another program");
+  begin_call(*other, named.value_or(other->begin()), next.times, false);
 }
 
 void ProgramRun::begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals) {

@@ -49,6 +49,7 @@ class ProgramRun {
   void run_block();
   [[nodiscard]] bool is_left_out();
   [[nodiscard]] bool names_program(std::string_view line);
+  [[nodiscard]] static std::string_view behind_name(std::string_view line);
   void follow(const NextBlock& next);
   void lose_at_system_variable(const std::vector<GcodeAssignment>& assignments);
   void assign(const std::vector<GcodeAssignment>& assignments);
@@ -60,6 +61,8 @@ class ProgramRun {
 
   // Fanuc's custom macros.
   void run_macro(std::string_view flow);
+  /// Returns the block with a number in the program that runs; none, or more than one: nothing.
+  [[nodiscard]] std::optional<std::size_t> find_block(int number) const;
   void go_to(int number);
   void end_loop(int number);
   // LinuxCNC's O-words.

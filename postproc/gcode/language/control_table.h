@@ -108,6 +108,13 @@ enum class NumberRule : std::uint8_t {
   by_point  ///< X100 is 100 of the smallest increments, or 100, as a parameter of the control states
 };
 
+/// Turns of absolute rotary words without the option that states them.
+enum class RotaryTurns : std::uint8_t {
+  as_programmed,    ///< the word states the turn too
+  may_be_shorter,   ///< a parameter may shorten a way of half a turn or more
+  may_follow_sign,  ///< besides, a parameter may let the sign state the direction: C-30 turns backwards to 30
+};
+
 /// Text that is no word.
 struct GcodeSyntax {
   NumberRule numbers = NumberRule::plain;
@@ -134,12 +141,12 @@ struct ControlTable {
   bool cycles_count_from_start =
       true;                         ///< R of G91 counts from the level at which the cycle began; else from the present
   bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle
-  bool winds_as_programmed =
-      false;  ///< an absolute rotary word states the turn too; else a parameter may shorten the way
+  RotaryTurns turns = RotaryTurns::may_be_shorter;  ///< of absolute rotary words
   bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it
   bool has_straight_rapids =
-      false;                      ///< G0 without tool centre point control is coordinated; else a parameter states it
-  bool turns_along_arcs = false;  ///< rotary joints may turn along an arc, evenly with it
+      false;  ///< G0 without tool centre point control is coordinated; else a parameter states it
+  bool takes_rapids_to_machine_places = false;  ///< G53 is a rapid whatever motion code is in force
+  bool turns_along_arcs = false;                ///< rotary joints may turn along an arc, evenly with it
   std::string_view source;
 };
 

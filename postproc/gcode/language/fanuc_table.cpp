@@ -133,6 +133,8 @@ const ControlTable& fanuc_table() {
       .always = "FSTD",
       .start = "G54 G80",
       .length_motion = "parameter 5006#6 (TOS)",
+      .turns = RotaryTurns::may_follow_sign,
+      .takes_rapids_to_machine_places = true,  // B-64484EN, 7.1
       .source = kFanucCodes,
   };
   return table;

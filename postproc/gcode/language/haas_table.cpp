@@ -161,6 +161,8 @@ const ControlTable& haas_table() {
       .start = "G54 G80 G98",
 
       .has_tip_frame_of_table = true,
+      // No manual at hand states a feed to them; a rapid may leave the line, so that it is the wider reading.
+      .takes_rapids_to_machine_places = true,
       .source = kHaasCodes,
   };
   return table;

@@ -110,7 +110,7 @@ const ControlTable& linuxcnc_table() {
       .start = "G17 G40 G49 G54 G64 G80 G90 G91.1 G94",
       .cycles_count_from_start = false,
       .has_default_length = true,
-      .winds_as_programmed = true,
+      .turns = RotaryTurns::as_programmed,
       .has_tip_frame_of_table = true,
       .has_straight_rapids = true,
       .turns_along_arcs = true,

@@ -84,6 +84,14 @@ Assumption frame_of_program(const ProgramSetup& setup, const ProgramMotion& moti
   }
   if (!motion.has_lengths())
     fact.evidence += "; the program applies no tool length, so the work offset includes that of its tool";
+  if (const std::size_t line = motion.length_needed_line(); line > 0) {
+    fact.basis = Basis::unknown;
+    fact.line = line;
+    fact.evidence = "the program applies no tool length, and from line " + std::to_string(line) +
+                    " on the place of the tip depends on it";
+    fact.remedy =
+        "apply the length in the program (G43), or state that positions are those of the tip with --assume frame";
+  }
   return fact;
 }
 

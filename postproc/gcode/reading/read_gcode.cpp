@@ -91,6 +91,25 @@ bool has_checked_move(const Toolpath& path) {
   return std::ranges::any_of(path.moves, [](const Move& move) { return move.not_checked_reason.empty(); });
 }
 
+/// Notes blocks that the control does not reach: the user may take them for checked.
+void note_blocks_not_run(const std::vector<bool>& has_run, Toolpath& path) {
+  std::size_t count = 0, first_line = 0;
+  for (std::size_t i = 0; i < path.statements.size(); ++i) {
+    const SourceStatement& one = path.statements[i];
+    const std::string_view line =
+        trim_blanks(std::string_view(path.source).substr(one.first_byte, one.last_byte - one.first_byte));
+    const bool is_block = std::string_view("%;(*").find(line[0]) == std::string_view::npos;
+    if (has_run[i] || !is_block) continue;
+    if (count++ == 0) first_line = one.line;
+  }
+  if (count == 0) return;
+  path.notes.push_back(make_note("gcode-not-run",
+                                 count_text(count, "block") + (count == 1 ? " does" : " do") + " not run and " +
+                                     (count == 1 ? "is" : "are") +
+                                     " not checked: behind the end of the program, jumped over, or never called",
+                                 path.file, first_line));
+}
+
 }  // namespace
 
 std::span<const ProgramLanguage> all_languages() {
@@ -147,6 +166,7 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
             {make_error("path-no-motion", "holds no motion whose place is known" + reason, file_name,
                         path.moves.empty() ? std::size_t{0} : std::size_t{path.moves.front().line})}};
   }
+  if (!motion.is_rest_unknown()) note_blocks_not_run(motion.has_run(), path);
   name_first_tool(options.unnamed_tool, path);
   path.assumptions = assume_program(path, (*language)->title, options, motion, facts);
   outcome.toolpath = std::move(path);

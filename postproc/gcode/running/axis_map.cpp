@@ -22,6 +22,9 @@ bool stands_at_zero(double angle) { return std::abs(angle) <= Tolerance::kExactD
 }  // namespace
 
 std::string describe_unfit(const Machine& machine) {
+  if (!machine.control.unread_setting.empty())
+    return "the configuration of machine " + machine.name + " states " + machine.control.unread_setting +
+           ", which programs are not read by; expected a machine file in place of it";
   for (const char letter : kLinearNames) {
     const auto joint = joint_called(machine, letter);
     if (!joint || is_rotary(machine.joints[*joint]))
@@ -82,6 +85,17 @@ std::string AxisMapper::missing_point(const RotaryAngles& angles) const {
   return {};
 }
 
+bool AxisMapper::needs_applied_length(const AxisFrame& state, const RotaryAngles& angles) const {
+  if (state.plane) return true;
+  if (machine_ == nullptr) return false;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Joint& joint = machine_->joints[machine_->rotary.at(k)];
+    const bool turns_tool = joint.side == JointSide::head || state.tip_control != TipControl::off;
+    if (turns_tool && !stands_at_zero(angles.at(k))) return true;
+  }
+  return false;
+}
+
 AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) const {
   AxisMap map;
   if (machine_ == nullptr) {
@@ -107,6 +121,8 @@ AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) cons
     const Vec3 along = state.tip_control == TipControl::on ? map.axis : Vec3(map.linear.col(2));
     map.origin += state.excess_length_mm * along;
   }
+  if (map.open.empty() && state.plane && std::abs(state.excess_length_mm) > 0)
+    map.open = "the length that is applied in a tilted frame is not that of the tool";
   if (!state.open_length.empty()) {
     map.is_open_along_z =
         map.open.empty() && !state.plane && !state.frame &&

@@ -41,6 +41,7 @@ struct AxisFrame {
   double tool_length_mm = 0;            ///< from the gauge point to the tip
   double excess_length_mm = 0;          ///< length that the control applies, beyond the true one
   std::string open_length;              ///< why these lengths are not known; empty: they are
+  bool is_length_in_offset = false;     ///< the control applies none, as the work offset includes it along its Z
 };
 
 /// Tip in part coordinates from coordinates of the program: tip = linear * xyz + origin.
@@ -64,6 +65,9 @@ class AxisMapper {
 
   /// Returns the map with these rotary angles (rad, unknown where they are not numbers).
   [[nodiscard]] AxisMap map(const AxisFrame& state, const RotaryAngles& angles) const;
+  /// Returns whether the tip is elsewhere if the work offset includes the tool length, along its Z: where the tool is not
+  /// along Z, or the control turns positions about a point that it takes for the tip.
+  [[nodiscard]] bool needs_applied_length(const AxisFrame& state, const RotaryAngles& angles) const;
   [[nodiscard]] bool has_machine() const { return machine_ != nullptr; }
   /// Returns the place of a rotary joint by its letter in RotaryAngles; none: the machine has none of this name.
   [[nodiscard]] std::optional<std::size_t> rotary_of(char letter) const;

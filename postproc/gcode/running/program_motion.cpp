@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
+#include "lib/machine/law_facts.h"
 #include "lib/path/path_info.h"
 #include "postproc/gcode/language/gcode_block.h"
 
@@ -40,7 +42,12 @@ std::optional<double> arc_scale(const Eigen::Matrix3d& linear) {
 }  // namespace
 
 ProgramMotion::ProgramMotion(PathBuilder& builder, const ProgramSetup& setup)
-    : builder_(builder), setup_(setup), mapper_(setup.machine.get()), chain_(builder), operation_(builder) {
+    : builder_(builder),
+      setup_(setup),
+      mapper_(setup.machine.get()),
+      chain_(builder),
+      operation_(builder),
+      has_run_(builder.path.statements.size()) {
   if (mapper_.has_machine())
     joints_ = std::make_shared<JointPath>();
   else
@@ -78,6 +85,8 @@ ProgramMotion::Reached ProgramMotion::reached(const AxisPlace& to) {
                                  "Y and Z in its first position"};
   if (to.axis && std::abs(state_.excess_length_mm) > 0)
     return {{}, "the length that is applied is not that of the tool, whose axis the program states"};
+  if (state_.is_length_in_offset && length_needed_line_ == 0 && mapper_.needs_applied_length(state_, to.angles))
+    length_needed_line_ = line_;
   if (to.axis) return {{map.tip(to.xyz), *to.axis}, {}};
   return {{map.tip(to.xyz), map.axis}, {}};
 }
@@ -96,6 +105,10 @@ std::string ProgramMotion::why_not_motion(MoveKind kind, const AxisPlace& to, bo
   if (is_turning && state_.tip_control == TipControl::turned_offset)
     return "rotary joints turn while the work offset follows them";
   if (is_turning && state_.is_aligned) return "rotary joints turn in a tilted frame";
+  if ((is_turning || has_turned_) && !turn_doubt_.empty()) return turn_doubt_;
+  if (is_turning && runs_without_tip_control(kind))
+    return "tool centre point control is on, and the check runs by a law without it; expected --feed-law or --rapid-law "
+           "vector, axis, documented or any";
   if (is_turning && turns_beyond_law(kind, to))
     return "a rotary joint turns by half a turn or more, which the law vector leaves out; expected --feed-law or "
            "--rapid-law axis, documented or any";
@@ -152,6 +165,7 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
     const double feed_mm = move_length_mm(path, path.moves.size() - 1) * *moves_per_minute_;
     if (feed_mm > 0) path.moves.back().set_feed({feed_mm, FeedUnit::per_minute});
   }
+  note_turn(to);
   if (state_.is_aligned && turns(place_, to)) {
     state_.is_aligned = false;
     is_map_current_ = false;
@@ -168,14 +182,41 @@ bool ProgramMotion::is_approach(MoveKind kind, const AxisPlace& to) const {
   return kind == MoveKind::rapid && !chain_.last_pose() && !has_unknown_step_ && !is_reached;
 }
 
+// Notes the height of a rapid from a place that is not known. Where rotary joints are not known, or Z is not along the
+// tool, that of an incomplete place is not known.
 void ProgramMotion::note_height(const AxisPlace& to) {
+  if (!is_known(to.xyz.z())) return;
   const AxisMap& map = map_at(to);
+  const bool has_angles = state_.is_aligned || to.axis || (is_known(to.angles[0]) && is_known(to.angles[1]));
+  if (has_angles && !map.open.empty()) return;
+  if (has_angles && is_complete(to.xyz)) {
+    const Vec3& axis = to.axis ? *to.axis : map.axis;
+    builder_.path.approaches.push_back({line_, axis, axis.dot(map.tip(to.xyz))});
+    return;
+  }
   constexpr double kSquare = Tolerance::kExactDirection;
   const bool is_level =
       std::abs(map.axis.dot(map.linear.col(0))) < kSquare && std::abs(map.axis.dot(map.linear.col(1))) < kSquare;
-  if (!is_known(to.xyz.z()) || !map.open.empty() || !is_level) return;
+  const bool is_height = has_angles && is_level && !to.axis;
   const double height = map.axis.dot(map.origin) + map.axis.dot(map.linear.col(2)) * to.xyz.z();
-  builder_.path.approaches.push_back({line_, map.axis, height});
+  builder_.path.approaches.push_back({line_, map.axis, is_height ? height : -std::numeric_limits<double>::infinity()});
+}
+
+// Where the control rounds the turns of rotary joints, it does so in the moves beside them too.
+void ProgramMotion::note_turn(const AxisPlace& to) {
+  Moves& moves = builder_.path.moves;
+  if (has_turned_ || !mapper_.has_machine() || moves.size() < 2 || !moves.back().has_start || !turns(place_, to))
+    return;
+  has_turned_ = true;
+  Move& before = moves[moves.size() - 2];
+  if (!turn_doubt_.empty() && before.has_start && before.not_checked_reason.empty())
+    before.not_checked_reason = lasting_text(turn_doubt_);
+}
+
+/// The laws joint and independent are those of joints without tool centre point control.
+bool ProgramMotion::runs_without_tip_control(MoveKind kind) const {
+  if (!setup_.laws || state_.tip_control != TipControl::on) return false;
+  return runs_joints(kind == MoveKind::rapid ? setup_.laws->rapids : setup_.laws->feeds);
 }
 
 /// On the great circle the tool axis takes the shorter way between its ends.
@@ -206,9 +247,7 @@ void ProgramMotion::go(MoveKind kind, const AxisPlace& to) {
   if (first_doubt() != nullptr) return go_unchecked(kind, to, {});
   const Reached end = reached(to);
   if (is_approach(kind, to)) return leave_out(to);
-  const bool comes_at_height =
-      kind == MoveKind::rapid && !chain_.last_pose() && is_known(place_.xyz.z()) && !is_complete(place_.xyz);
-  if (comes_at_height) note_height(to);
+  if (kind == MoveKind::rapid && !chain_.last_pose()) note_height(to);
   Move move;
   move.kind = kind;
   const bool has_start = chain_.last_pose().has_value();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -55,7 +56,14 @@ class ProgramMotion {
   void begin_block(std::size_t statement, std::size_t line) {
     statement_ = statement;
     line_ = line;
+    if (line > 0) has_run_[statement] = true;
   }
+  /// Notes that the statements [first, last) are lines of a block that ran, or mark the end of the program.
+  void note_run(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) has_run_[i] = true;
+  }
+  /// Returns which statements are part of a block that ran.
+  [[nodiscard]] const std::vector<bool>& has_run() const { return has_run_; }
 
   // Facts that hold from here on.
 
@@ -80,6 +88,8 @@ class ProgramMotion {
   }
   /// Makes the length that is applied doubtful until another code states it; nothing is changed where none is applied.
   void lose_length(const std::string& reason);
+  /// Runs a motion to places of the machine, for which it does not matter whether a length is applied.
+  void run_by_machine(const std::function<void()>& run);
   /// Rapids without tool centre point control run straight on this control.
   void run_rapids_together() { are_rapids_together_ = true; }
   /// The program never applies a length: the work offset includes that of the first tool.
@@ -97,6 +107,8 @@ class ProgramMotion {
   /// Begins a doubt, with a reason for the user; a rest of the program that is not known keeps its first reason.
   void doubt(ProgramDoubt kind, std::string reason);
   void end_doubt(ProgramDoubt kind);
+  /// Leaves moves unchecked from the first turn of a rotary joint on, until it is called with an empty reason.
+  void doubt_turns(std::string reason) { turn_doubt_ = std::move(reason); }
   [[nodiscard]] bool has_doubt(ProgramDoubt kind) const { return !doubts_.at(static_cast<std::size_t>(kind)).empty(); }
   [[nodiscard]] bool is_rest_unknown() const { return !doubts_[0].empty(); }
 
@@ -130,6 +142,8 @@ class ProgramMotion {
   /// Work offset of the part: the first that the program chooses.
   [[nodiscard]] const std::string& part_offset() const { return part_offset_; }
   [[nodiscard]] bool has_lengths() const { return has_lengths_; }
+  /// Returns the line from which places are right only if a length of 0 is in the work offset; 0: there is none.
+  [[nodiscard]] std::size_t length_needed_line() const { return length_needed_line_; }
   [[nodiscard]] std::size_t tools_loaded() const { return tools_loaded_; }
   /// Rapids at the height of the start or of a tool change, of which nothing is swept.
   [[nodiscard]] const Tally& approach() const { return approach_; }
@@ -152,6 +166,8 @@ class ProgramMotion {
   [[nodiscard]] std::string why_sideways() const;
   void add(Move& move, const AxisPlace& to, const Reached& reached, std::string reason);
   [[nodiscard]] bool is_approach(MoveKind kind, const AxisPlace& to) const;
+  void note_turn(const AxisPlace& to);
+  [[nodiscard]] bool runs_without_tip_control(MoveKind kind) const;
   [[nodiscard]] bool turns_beyond_law(MoveKind kind, const AxisPlace& to) const;
   void leave_out(const AxisPlace& to);
   void note_height(const AxisPlace& to);
@@ -170,12 +186,16 @@ class ProgramMotion {
   RotaryAngles map_angles_{};
   bool is_map_current_ = false;
   std::array<std::string, kProgramDoubts> doubts_;
+  std::string turn_doubt_;
+  bool has_turned_ = false;  // a rotary joint has turned in a move
   Feed feed_;
   std::optional<double> moves_per_minute_;
   std::size_t statement_ = 0, line_ = 0, tool_ = kNone;
+  std::vector<bool> has_run_;  // one for each statement
   std::string part_offset_, offset_name_;
   RotaryAngles angle_shift_{};  // of the work offset, rad
   bool has_lengths_ = true;
+  std::size_t length_needed_line_ = 0;
   enum class Length : std::uint8_t { none, applied } length_ = Length::none;
   std::optional<int> length_number_;  // of H; none: of the tool
   std::string lost_length_;           // why the length that was applied may be in force no more; empty: it is

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
@@ -32,6 +33,11 @@ void ProgramMotion::change_state(const Change& change) {
   is_map_current_ = false;
   const AxisMap& after = map_at(place_);
   Vec3& xyz = place_.xyz;
+  const bool is_standing_known = chain_.last_pose() && chain_.unknown_start() == nullptr;
+  if (is_doubtful && is_standing_known && after.open.empty() && offset_doubt.empty()) {
+    xyz = after.coordinates(chain_.last_pose()->tip);
+    return;
+  }
   const bool is_known_now = !is_doubtful && after.open.empty() && offset_doubt.empty();
   const auto may_be_along_z = [](const AxisMap& map) { return map.open.empty() || map.is_open_along_z; };
   const bool is_turned_alike = (after.linear - before.linear).cwiseAbs().maxCoeff() <= Tolerance::kExactDirection;
@@ -46,7 +52,7 @@ void ProgramMotion::change_state(const Change& change) {
     // A length that is not known leaves the coordinates across it.
     xyz += after.linear.partialPivLu().solve(Vec3(before.origin - after.origin));
     xyz.z() = AxisPlace::kUnknownCoordinate;
-    chain_.lose_last_pose(lasting_text("the place of the tool is not known when the length changes"));
+    if (is_doubtful) chain_.lose_last_pose(lasting_text("the place of the tool is not known when the length changes"));
   } else {
     xyz.setConstant(AxisPlace::kUnknownCoordinate);
     chain_.lose_last_pose(lasting_text("the place of the tool is not known when the frame or the length changes"));
@@ -70,7 +76,8 @@ void ProgramMotion::end_doubt(ProgramDoubt kind) {
 
 void ProgramMotion::choose_offset(const std::string& name) {
   if (name == offset_name_) return;
-  if (part_offset_.empty()) part_offset_ = name;
+  const bool has_position = !builder_.path.moves.empty() || !builder_.path.approaches.empty();
+  if (part_offset_.empty() || !has_position) part_offset_ = name;
   const auto found = setup_.offsets.find(name), of_part = setup_.offsets.find(part_offset_);
   const bool is_given = found != setup_.offsets.end();
   const auto shift_of = [&](const WorkOffset& offset) {
@@ -89,6 +96,7 @@ void ProgramMotion::choose_offset(const std::string& name) {
                                       "=X,Y,Z and --offset " + name + "=X,Y,Z");
     else
       end_doubt(ProgramDoubt::offset);
+    settle_length();
   });
   RotaryAngles shift{};
   for (const char letter : {'A', 'B', 'C'}) {
@@ -203,10 +211,14 @@ void ProgramMotion::settle_length() {
                                       : "the tool";
   state_.tool_length_mm = true_length.value_or(0);
   state_.excess_length_mm = 0;
+  state_.is_length_in_offset = false;
   state_.open_length = why_sideways();
   if (!state_.open_length.empty()) return;
   if (length_ == Length::none) {
-    if (!has_lengths_) {
+    // A part zero and an offset in machine coordinates leave no room for it.
+    const bool is_offset_known = setup_.zero && setup_.offsets.contains(offset_name_);
+    if (!has_lengths_ && !is_offset_known) {
+      state_.is_length_in_offset = true;
       if (tools_loaded_ > 1) state_.open_length = "the program changes the tool and applies no length; expected G43";
     } else if (true_length) {
       state_.excess_length_mm = -*true_length;
@@ -237,11 +249,18 @@ void ProgramMotion::settle_length() {
 }
 
 void ProgramMotion::change_tool(const PathTool& tool) {
+  // A change may leave the tool where it is: no motion of the machine is certain.
+  if (const std::optional<Pose>& pose = chain_.last_pose(); pose && chain_.unknown_start() == nullptr)
+    builder_.path.approaches.push_back({line_, pose->axis, pose->axis.dot(pose->tip)});
   const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
   if (tool_ == kNone || !is_same(builder_.path.tools[tool_])) ++tools_loaded_;
   const auto same = std::ranges::find_if(builder_.path.tools, is_same);
   tool_ = static_cast<std::size_t>(same - builder_.path.tools.begin());
-  if (same == builder_.path.tools.end()) builder_.path.tools.push_back(tool);
+  if (same == builder_.path.tools.end()) {
+    builder_.path.tools.push_back(tool);
+    const std::optional<double> length = length_of(tool.number);
+    if (length && !std::isnan(*length)) builder_.path.tools.back().gauge_length_mm = length;
+  }
   chain_.break_off();
   chain_.note_loading();
   has_unknown_step_ = false;
@@ -271,6 +290,21 @@ void ProgramMotion::cancel_length() {
     lost_length_.clear();
     settle_length();
   });
+}
+
+void ProgramMotion::run_by_machine(const std::function<void()>& run) {
+  if (lost_length_.empty()) return run();
+  const std::string lost = std::exchange(lost_length_, {});
+  settle_length();
+  is_map_current_ = false;
+  const AxisMap& map = map_at(place_);
+  if (map.open.empty() && chain_.last_pose() && chain_.unknown_start() == nullptr)
+    place_.xyz = map.coordinates(chain_.last_pose()->tip);
+  run();
+  lost_length_ = lost;
+  settle_length();
+  is_map_current_ = false;
+  place_.xyz.z() = AxisPlace::kUnknownCoordinate;
 }
 
 void ProgramMotion::lose_length(const std::string& reason) {

@@ -32,6 +32,20 @@ TEST(GcodeEffects, MotionsToTheMachineCancelTheLength) {
   expect_checked(program("G91 G28 Z0.\nG90 G0 X5.\nG0 Z50.\n"), "linuxcnc", measured());
 }
 
+// The usual end of a program: the second motion does not depend on the length that the first has ended.
+TEST(GcodeEffects, MotionsToTheMachineFollowOneAnother) {
+  expect_checked(program("G28 G91 Z0.\nG28 X0. Y0.\n"), "haas", measured());
+  expect_checked(program("G28 G91 Z0.\nG28 X0. Y0.\n"), "fanuc", measured());
+  ProgramSetup setup = measured();
+  setup.are_joint_rapids_straight = true;
+  const Toolpath path = path_of_program(program("G53 Z-10.\nG53 X-100. Y-50.\n"), "fanuc", setup);
+  EXPECT_EQ(path.moves.back().not_checked_reason, "");
+  EXPECT_NEAR((path.moves.back().end.tip - Vec3(-100, -50, -10 - 60)).norm(), 0, 1e-9);
+  // A length that is applied again finds the tool where it stands.
+  const Toolpath again = path_of_program(program("G91 G28 Z0.\nG90 G43 H1\nG0 X5.\nM5\n"), "haas", measured());
+  EXPECT_NEAR((again.moves.back().end.tip - Vec3(5, 0, 240)).norm(), 0, 1e-9);
+}
+
 TEST(GcodeEffects, ALengthThatIsCancelledStaysSoInTheNextTool) {
   expect_open(program("G91 G28 Z0.\nG90 T2 M6\nG0 X5. Y0. Z20.\nG1 X6. F9.\n"), "haas", "cancels the tool length",
               measured());

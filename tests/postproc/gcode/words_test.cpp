@@ -1,0 +1,251 @@
+// Words whose meaning a parameter of the control states, or that a reader easily skips.
+#include "tests/postproc/gcode/program.h"
+
+namespace gouge::test {
+namespace {
+
+constexpr const char* kStart = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG0 X0. Y0.\nZ80.\n";
+
+std::string program(const std::string& blocks) { return kStart + blocks + "M30\n"; }
+
+ProgramSetup on_trunnion() {
+  ProgramSetup setup;
+  setup.machine = trunnion();
+  setup.offsets["G54"] = {};
+  setup.lengths_mm = {{1, 100}};
+  return setup;
+}
+
+TEST(GcodeWords, BesideTheNameOfAProgramAreNotSkipped) {
+  for (const char* control : {"haas", "fanuc"}) {
+    for (const char* name : {"O1000 G91", ":1000 G91", "O1000G91", "O1000 (A) G91", "<A> G91", "O1000 (A"})
+      EXPECT_FALSE(can_be_clean(read_program(std::string(name) + "\n" + program("G1 X5. F9.\n"), control)))
+          << name << " on " << control;
+    expect_open(program("M98 P2000\n") + "O2000 G91\nG1 X5. F9.\nM99\n", control, "'G91' stands in the block");
+    for (const char* name : {"O1000", ":1000", "O1000 (A) (B)", "<A>", "o 1000", "O1000 Final part"})
+      expect_checked(std::string(name) + "\n" + program("G1 X5. F9.\n"), control);
+  }
+}
+
+TEST(GcodeWords, WithTwoSignsAreNumbersOnLinuxcncAlone) {
+  for (const char* word : {"X--5.", "X+-5.", "X-+5.", "X - - 5."}) {
+    const std::string text = program(std::string("G1 ") + word + " F9.\n");
+    for (const char* control : {"haas", "fanuc"}) expect_open(text, control, "two signs");
+  }
+  expect_tip(path_of_program(program("G1 X--5. F9.\n"), "linuxcnc").moves.back(), 5, 0, 80);
+}
+
+TEST(GcodeWords, OfRangesThatAParameterChoosesAreOpen) {
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_open(program("#1=ASIN[-0.5]\nG1 X#1 F9.\n"), control, "the value of X");
+    const Toolpath path = path_of_program(program("#1=ASIN[0.5]\nG1 X#1 F9.\n"), control);
+    EXPECT_NEAR(path.moves.back().end.tip.x(), 30, 1e-9);
+  }
+  EXPECT_NEAR(path_of_program(program("#1=ASIN[-0.5]\nG1 X#1 F9.\n"), "linuxcnc").moves.back().end.tip.x(), -30, 1e-9);
+}
+
+// Fanuc, B-63324EN and B-64484EN, custom macro: relations and FIX take the rounding of the control; FIX[0.002*1000] may be 1.
+TEST(GcodeWords, WhoseValueDependsOnRoundingAreOpen) {
+  const auto fix = [](const std::string& value) {
+    return program("#1=0.002\n#2=#1*1000\n#3=" + value + "\nG1 X#3 F9.\n");
+  };
+  for (const char* control : {"haas", "fanuc"}) {
+    for (const char* value : {"FIX[#2]", "FUP[#2]", "FIX[0.1*30]", "FUP[0.1*3*10]", "ROUND[0.285*100]", "[0.3MOD0.1]"})
+      expect_open(fix(value), control, "the value of X");
+    for (const char* value : {"FIX[20/10]", "FIX[2.5]", "FUP[7/2]", "ROUND[2.4]", "FIX[#2+0.5]", "[7MOD2]"})
+      expect_checked(fix(value), control);
+    for (const char* relation : {"LE", "LT", "GE", "GT", "EQ", "NE"})
+      expect_open(program(std::string("#1=0.1+0.1+0.1\nIF [#1 ") + relation + " 0.3] GOTO 5\nG1 X1. F9.\nN5\n"),
+                  control, "a condition whose value is not known");
+    expect_checked(program("#1=3\nWHILE [#1 GT 0] DO1\nG1 X#1 F9.\n#1=#1-1\nEND1\n"), control);
+  }
+}
+
+// Fanuc, B-64484EN: in an address ROUND rounds to its least increment.
+TEST(GcodeWords, RoundToAnIncrementInAddressesOfMacros) {
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_open(program("#1=7.45\nG1 X[ROUND[#1]] F9.\n"), control, "the value of X");
+    expect_open(program("#1=7.45\nG1 X[1.+ROUND[#1]] F9.\n"), control, "the value of X");
+    expect_tip(path_of_program(program("#1=ROUND[7.45]\nG1 X#1 F9.\n"), control).moves.back(), 7, 0, 80);
+  }
+  expect_tip(path_of_program(program("#1=7.45\nG1 X[ROUND[#1]] F9.\n"), "linuxcnc").moves.back(), 7, 0, 80);
+}
+
+// Fanuc, B-63534EN, 20.2.2: a parameter lets the sign of the word state the direction.
+TEST(GcodeWords, OfRollOverAxesMayStateTheDirectionByTheirSign) {
+  const std::string start = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG0 A0. C10.\nX0. Y0.\nG43 H1 Z80.\n";
+  const auto text = [&](const std::string& word) { return start + "G1 " + word + " F9.\nM30\n"; };
+  for (const char* word : {"C-30.", "C5.", "C190."})
+    expect_open(text(word), "fanuc", "may change the turn of C", on_trunnion());
+  for (const char* word : {"C60.", "C10.", "A-30.", "A30.", "G91 C-5."})
+    expect_checked(text(word), "fanuc", on_trunnion());
+  for (const char* word : {"C-30.", "C5.", "A-30."}) expect_checked(text(word), "haas", on_trunnion());
+  ProgramSetup stated = on_trunnion();
+  stated.winds_as_programmed = true;
+  expect_checked(text("C-30."), "fanuc", stated);
+}
+
+TEST(GcodeWords, ChooseTheFirstWorkOffsetInPlaceOfThatOfTheStart) {
+  for (const char* control : {"haas", "fanuc"}) {
+    const std::string start = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\n";
+    expect_checked(start + "G0 G55 X0. Y0.\nZ5.\nG1 X5. F9.\nM30\n", control);
+    expect_open(start + "G0 X0. Y0.\nZ5.\nG55 G1 X5. F9.\nM30\n", control, "changes from work offset G54 to G55");
+  }
+}
+
+// Fanuc, B-64484EN, 7.1: the tool goes to a place of the machine by rapid traverse, also under G1.
+TEST(GcodeWords, OfMachinePlacesAreRapids) {
+  const std::string text = program("G1 Z70. F9.\nG53 X-20. Y-20.\n");
+  ProgramSetup setup;
+  setup.offsets["G54"] = {Vec3(30, 20, -300), Vec3::Zero()};
+  setup.tool_length_mm = 100;
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_open(text, control, "how several axes run in a rapid", setup);
+    const Toolpath path = path_of_program(program("G1 Z70. F9.\nG53 X-20.\n"), control, setup);
+    EXPECT_EQ(path.moves.back().kind, MoveKind::rapid) << control;
+  }
+  EXPECT_EQ(path_of_program(text, "linuxcnc", setup).moves.back().kind, MoveKind::feed);
+}
+
+TEST(GcodeWords, OfCallsAndDwellsMayStandInACycle) {
+  const std::string text = program("G99 G81 X10. Y0. Z-5. R2. F100.\nM98 P2000\nG4 P500\nG80\n") + "O2000\nX20.\nM99\n";
+  for (const char* control : {"haas", "fanuc"}) expect_checked(text, control);
+}
+
+TEST(GcodeWords, OfBlocksThatAreCalledAreOfTheProgramThatRuns) {
+  const std::string text =
+      "O1\n" + program("M97 P100\nM98 P2\n") + "N100 G1 X7. F9.\nM99\nO2\nM97 P100\nM99\nN100 G1 X8. F9.\nM99\n";
+  expect_tip(path_of_program(text, "haas").moves.back(), 8, 0, 80);
+  expect_open("O1\n" + program("M97 P100\n") + "O2\nG1 X9.\nM99\nN100 X7.\nM99\n", "haas", "has the number N100");
+}
+
+TEST(GcodeWords, OfAFileBesideAreThoseOfTheCalledProgram) {
+  ProgramSetup setup;
+  setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
+    if (name == "O2000") return "O1999\nX9.\nM99\nO2000\nG1 X7. F9.\nM99\n";
+    if (name == "O3000") return "O3001\nX9.\nM99\n";
+    if (name == "O4000") return "G1 X4. F9.\nM99\n";
+    return std::nullopt;
+  };
+  for (const char* control : {"haas", "fanuc"}) {
+    const auto call = [](const char* word) { return program(std::string("M98 ") + word + "\n"); };
+    expect_tip(path_of_program(call("P2000"), control, setup).moves.back(), 7, 0, 80);
+    expect_tip(path_of_program(call("P4000"), control, setup).moves.back(), 4, 0, 80);
+    expect_open(call("P3000") + "", control, "holds another program", setup);
+  }
+}
+
+TEST(GcodeWords, InCommentsAreStatementsOfPythonOnLinuxcnc) {
+  for (const char* comment : {";py,self.execute(\"g1 x10\")", "(py,x=1)", "; PYRUN,f", ";pyreload"})
+    expect_open(program(std::string(comment) + "\nG1 X5. F9.\n"), "linuxcnc", "Python");
+  for (const char* comment : {"; python", "(pyramid, rough)"})
+    expect_checked(program(std::string(comment) + "\nG1 X5. F9.\n"), "linuxcnc");
+}
+
+// Without G43 the length is in the work offset, along its Z: no control then knows the tip of a tool that it turns.
+TEST(GcodeWords, OfLengthsAreNeededWhereTheControlTurnsTheTool) {
+  ProgramSetup setup;
+  setup.machine = trunnion();
+  setup.are_joint_rapids_straight = true;
+  const auto line_of_frame = [&](const std::string& text, const char* control) {
+    const ReadOutcome outcome = read_program(text, control, setup);
+    for (const Assumption& fact : path_in(outcome, text).assumptions)
+      if (fact.subject == Subject::frame) return fact.basis == Basis::unknown ? fact.line : 0;
+    return std::size_t{0};
+  };
+  const std::string start = "G21 G90 G17 G94 G40 G49 G80\nT1 M6\nG0 A0. C0.\nX0. Y0.\nZ90.\n";
+  EXPECT_EQ(line_of_frame(start + "M428\nG1 X10 F9\nM2\n", "linuxcnc"), 0U);
+  EXPECT_EQ(line_of_frame(start + "M428\nG1 X10 A30 F9\nM2\n", "linuxcnc"), 7U);
+  EXPECT_EQ(line_of_frame("G21 G90\nT1 M6\nG43 H1\nG0 A0 C0\nX0 Y0\nZ90\nM428\nG1 X10 A30 F9\nM2\n", "linuxcnc"), 0U);
+  EXPECT_EQ(line_of_frame(start + "G1 X10 A30 F9\nM2\n", "linuxcnc"), 0U) << "the table turns, and the tool stands";
+  EXPECT_EQ(line_of_frame(start + "A30.\nG254\nG1 X10. F9.\nM30\n", "haas"), 8U);
+}
+
+// In a tilted frame the control applies another length along the tool.
+TEST(GcodeWords, OfOtherLengthsAreNotReadInATiltedFrame) {
+  ProgramSetup setup = on_trunnion();
+  setup.lengths_mm = {{1, 100}, {4, 130}};
+  setup.are_joint_rapids_straight = true;
+  const std::string start = "G21 G90 G17 G94 G40 G49 G80\nT1 M6\nG0 A0. C0.\nX0. Y0.\nG43 H1 Z90.\n";
+  for (const auto& [length, is_read] : {std::pair("H4", false), std::pair("H1", true)}) {
+    const std::string text =
+        start + "G68.2 X0. Y0. Z0. I0. J30. K0.\nG53.1\nG43 " + length + " X0. Y0. Z50.\nG1 Z40. F9.\nM30\n";
+    const std::string reasons = reasons_of(read_program(text, "fanuc", setup));
+    EXPECT_EQ(reasons.find("9: the length that is applied in a tilted frame") == std::string::npos, is_read) << reasons;
+  }
+}
+
+// No manual at hand states how far rotary joints leave their turns.
+TEST(GcodeWords, ThatRoundCornersRoundTheTurnsOfJointsToo) {
+  ProgramSetup setup;
+  setup.machine = trunnion();
+  setup.tip_tolerance_mm = 0.1;
+  const std::string start = "G21 G90 G17\nT1 M6\nG43 H1\nG0 A0 C0\nX0 Y0 Z90\nM428\nG64 P0.1\nG1 X5 F9\nX6\n";
+  const auto lines_open = [&](const std::string& blocks) {
+    std::string lines;
+    for (const Move& move : path_of_program(start + blocks + "M2\n", "linuxcnc", setup).moves)
+      if (!move.not_checked_reason.empty()) lines += std::to_string(std::size_t{move.line}) + " ";
+    return lines;
+  };
+  EXPECT_EQ(lines_open("X7\n"), "");
+  EXPECT_EQ(lines_open("X7 A30\nX8\n"), "9 10 11 ");
+  EXPECT_EQ(lines_open("G61 X7 A30\nX8\n"), "");
+  setup.axis_tolerance_rad = 0.01;
+  EXPECT_EQ(lines_open("X7 A30\nX8\n"), "");
+}
+
+// The laws joint and independent are those of joints without tool centre point control.
+TEST(GcodeWords, OfTipControlAreNotCheckedByALawWithoutIt) {
+  ProgramSetup setup;
+  setup.machine = trunnion();
+  const std::string text = "G21 G90 G17 G61\nT1 M6\nG43 H1\nG0 A0 C0\nX0 Y0 Z90\nM428\nG1 X5 A30 F9\nM2\n";
+  for (const TurnLaw law : {TurnLaw::joint, TurnLaw::independent, TurnLaw::axis}) {
+    setup.laws = TurnLaws{law, TurnLaw::axis, TurnLaw::joint};
+    EXPECT_EQ(can_be_clean(read_program(text, "linuxcnc", setup)), law == TurnLaw::axis);
+  }
+}
+
+// A part zero and an offset in machine coordinates leave no room for a length in the offset.
+TEST(GcodeWords, OfLengthsAreNeededBesideAPartZero) {
+  ProgramSetup setup;
+  setup.zero = RigidTransform{Eigen::Matrix3d::Identity(), Vec3(0, 0, -300)};
+  setup.machine = std::make_shared<const Machine>(place_part(*trunnion(), *setup.zero));
+  setup.offsets["G54"] = {Vec3(0, 0, -200), Vec3::Zero()};
+  const std::string text = "G21 G90 G17 G94 G40 G49 G80\nT1 M6\nG0 A0. C0.\nX0. Y0.\nZ90.\nG1 X10. F9.\nM30\n";
+  EXPECT_FALSE(can_be_clean(read_program(text, "haas", setup)));
+  setup.tool_length_mm = 100;
+  const Toolpath path = path_of_program(text, "haas", setup);
+  EXPECT_NEAR(path.moves.back().end.tip.z(), 90 - 200 - 100 + 300, 1e-9);
+}
+
+TEST(GcodeWords, ThatDoNotRunAreNoted) {
+  const auto notes = [](const std::string& text, const std::string& control) {
+    std::string all;
+    for (const Diagnostic& note : path_of_program(text, control).notes)
+      if (note.code == "gcode-not-run") all += to_text(note);
+    return all;
+  };
+  const std::string runs = program("G1 X5. F9.\n");
+  for (const char* control : {"linuxcnc", "haas", "fanuc"}) {
+    EXPECT_EQ(notes("%\n" + runs + "%\n(text)\n", control), "") << control;
+    EXPECT_NE(notes(runs + "G1 Z-5.\nM30\n", control).find("2 blocks do not run"), std::string::npos) << control;
+  }
+  EXPECT_EQ(notes(program("M98 P2 L2\n") + "O2\nG1 X5. F9.\nM99\n", "haas"), "");
+  const std::string archive = "G17 G71 G90 G60 G54 G94 D1\nG0 X0 Y0 Z9\nM30\n";
+  EXPECT_NE(notes("%_N_A_MPF\n" + archive + "%_N_B_MPF\n" + archive, "siemens").find(":6: note: 3 blocks"),
+            std::string::npos);
+  EXPECT_EQ(notes("0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1\n2 L X+0 Y+0 Z+9 R0 FMAX M30\n3 END PGM A MM\n", "heidenhain"),
+            "");
+}
+
+TEST(GcodeWords, GiveEachToolItsLength) {
+  ProgramSetup setup;
+  setup.lengths_mm = {{1, 100}, {2, 60}};
+  const Toolpath path = path_of_program(program("T2 M6\nG43 H2 G0 X0. Y0.\nZ9.\nG1 X5. F9.\n"), "haas", setup);
+  ASSERT_EQ(path.tools.size(), 2U);
+  EXPECT_EQ(path.tools[0].gauge_length_mm, 100);
+  EXPECT_EQ(path.tools[1].gauge_length_mm, 60);
+}
+
+}  // namespace
+}  // namespace gouge::test
