@@ -25,16 +25,15 @@ TurnLaw law_of(const SiemensRow& row) {
 void SiemensRunner::take_blending() {
   SiemensBlending& blending = modes_.blending;
   if (const auto* const code = words_.code_of(SiemensGroup::path_control)) {
-    using Meaning = SiemensMeaning;
-    const Meaning meaning = code->row->meaning;
-    if (meaning == Meaning::smoothing) {
+    const SiemensMeaning meaning = code->row->meaning;
+    if (meaning == SiemensMeaning::smoothing) {
       take_smoothing_cycle(*code->word);
     } else {
       blending.word = here(code->word->name);
-      blending.mode = meaning == Meaning::exact_path        ? Mode::exact
-                      : meaning == Meaning::smooth_distance ? Mode::distance
-                      : meaning == Meaning::smooth_path     ? Mode::free
-                                                            : Mode::tolerance;
+      blending.mode = meaning == SiemensMeaning::exact_path        ? Mode::exact
+                      : meaning == SiemensMeaning::smooth_distance ? Mode::distance
+                      : meaning == SiemensMeaning::smooth_path     ? Mode::free
+                                                                   : Mode::tolerance;
     }
   }
   if (const auto* const code = words_.code_of(SiemensGroup::compressor)) {
