@@ -12,8 +12,10 @@ void BlockRunner::drill(const GcodeRow& row) {
   const GcodeCycle* const cycle = find_cycle(index_.control(), row.number);
   if (cycle == nullptr) return lose_rest("the cycle has no row", line_);
   const bool is_incremental = modes_.is_absolute == false;
-  if (words_.has('R')) cycle_.r_mm = length('R');
-  if (words_.is_axis('Z')) cycle_.z_mm = length('Z');
+  if (words_.has('R')) cycle_.r_mm = length('R'), cycle_.is_r_step = is_incremental;
+  if (words_.is_axis('Z')) cycle_.z_mm = length('Z'), cycle_.is_z_step = is_incremental;
+  // LinuxCNC reads them by the mode of the block that drills.
+  if (index_.control().cycles_follow_mode) cycle_.is_r_step = cycle_.is_z_step = is_incremental;
   if (!words_.has_axes() && !words_.has('R')) {
     const auto takes_them = [](const GcodeRow* one) {
       return one->words.find_first_of("LPQK") != std::string_view::npos;
@@ -56,17 +58,18 @@ std::string BlockRunner::why_not_drilled(const GcodeCycle& cycle, int times) {
     return std::string(1, letter) + " of the cycle is " +
            (is_known(words_.value(letter)) ? exact_text(words_.value(letter)) : "not known") +
            ", which is not read; expected a whole number from 1";
+  if (cycle_.is_r_step != cycle_.is_z_step || (cycle_.is_r_step && modes_.is_absolute == true))
+    return "R or Z of the cycle is a step of G91, and the other one or this block is not";
   const bool counts_from_elsewhere = std::abs(motion_.place().xyz.z() - cycle_.start_mm) > 0;
-  if (modes_.is_absolute == false && index_.control().cycles_count_from_start && counts_from_elsewhere)
+  if (cycle_.is_r_step && index_.control().cycles_count_from_start && counts_from_elsewhere)
     return "R of the cycle counts from the level at which it began, which is not the present one; expected G98 or G90";
   return {};
 }
 
 void BlockRunner::drill_at(const GcodeCycle& cycle, const Target& at, const Vec3& step_mm) {
-  const bool is_incremental = modes_.is_absolute == false;
   const double level = motion_.place().xyz.z();
-  const double r = cycle_.r_mm.value_or(kUnknownValue) + (is_incremental ? level : 0);
-  const double z = cycle_.z_mm.value_or(kUnknownValue) + (is_incremental ? r : 0);
+  const double r = cycle_.r_mm.value_or(kUnknownValue) + (cycle_.is_r_step ? level : 0);
+  const double z = cycle_.z_mm.value_or(kUnknownValue) + (cycle_.is_z_step ? r : 0);
   std::string open = at.open;
   if (open.empty() && !(z < r)) open = "the bottom of the hole is not below R";
   if (open.empty() && !(level >= r)) open = "the cycle begins below R, or at a level that is not known";

@@ -37,8 +37,9 @@ struct GcodeModes {
 /// A drilling cycle in force; coordinates of the program, mm.
 struct DrillState {
   std::optional<double> r_mm, z_mm, feed;
-  double start_mm = 0;  ///< level at which the cycle began
-  int times = 1;        ///< of the block
+  bool is_r_step = false, is_z_step = false;  ///< by G91
+  double start_mm = 0;                        ///< level at which the cycle began
+  int times = 1;                              ///< of the block
 };
 
 /// Carries out the blocks of a program of a control, one after another.

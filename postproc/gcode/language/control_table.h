@@ -138,6 +138,7 @@ struct ControlTable {
   std::string_view always;              ///< addresses that every block may have
   std::string_view start;               ///< blocks in force at the start by the manual; others must be stated
   std::string_view length_motion = {};  ///< parameter that states whether a code of length moves Z; empty: it does not
+  bool cycles_follow_mode = false;      ///< G90 and G91 of the block that drills count for R and Z stated before it
   bool cycles_count_from_start =
       true;                         ///< R of G91 counts from the level at which the cycle began; else from the present
   bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle

@@ -107,6 +107,24 @@ TEST(GcodeWords, OfMachinePlacesAreRapids) {
   EXPECT_EQ(path_of_program(text, "linuxcnc", setup).moves.back().kind, MoveKind::feed);
 }
 
+// Haas, Mill Operator's Manual, "Looping canned cycles": G81 Z-1.5 R.1, then G91 X1.0 L9: all holes have this depth.
+TEST(GcodeWords, OfACycleKeepTheModeInWhichTheyStand) {
+  const auto lowest = [](const std::string& text, const char* control) {
+    double low = 0;
+    for (const Move& move : path_of_program(text, control).moves)
+      if (move.end.tip.x() > 15) low = std::min(low, move.end.tip.z());
+    return low;
+  };
+  const std::string start = "G21 G90 G17 G40 G49 G80 G94 G54 G98\nT1 M6\nG0 X0. Y0. Z30.\nF200.\nG0 Z20.\n";
+  const std::string text = start + "G81 X0. Y0. Z-15. R-5.\nG91 X10.\nX10.\nG90 G80\nM30\n";
+  for (const char* control : {"haas", "fanuc"}) {
+    EXPECT_NEAR(lowest(text, control), -15, 1e-9) << control;
+    expect_open(start + "G91 G81 X0. Y0. Z-10. R-5.\nG90 X10.\nG80\nM30\n", control, "is a step of G91");
+    expect_open(start + "G81 X0. Y0. Z-10. R-5.\nG91 X10. Z-2.\nG80\nM30\n", control, "is a step of G91");
+    expect_checked(start + "G91 G81 X0. Y0. Z-10. R-5.\nX10.\nG80\nM30\n", control);
+  }
+}
+
 TEST(GcodeWords, OfCallsAndDwellsMayStandInACycle) {
   const std::string text = program("G99 G81 X10. Y0. Z-5. R2. F100.\nM98 P2000\nG4 P500\nG80\n") + "O2000\nX20.\nM99\n";
   for (const char* control : {"haas", "fanuc"}) expect_checked(text, control);
@@ -231,9 +249,13 @@ TEST(GcodeWords, ThatDoNotRunAreNoted) {
     EXPECT_NE(notes(runs + "G1 Z-5.\nM30\n", control).find("2 blocks do not run"), std::string::npos) << control;
   }
   EXPECT_EQ(notes(program("M98 P2 L2\n") + "O2\nG1 X5. F9.\nM99\n", "haas"), "");
-  const std::string archive = "G17 G71 G90 G60 G54 G94 D1\nG0 X0 Y0 Z9\nM30\n";
-  EXPECT_NE(notes("%_N_A_MPF\n" + archive + "%_N_B_MPF\n" + archive, "siemens").find(":6: note: 3 blocks"),
+  const std::string block = "G17 G71 G90 G60 G54 G94 D1\nG0 X0 Y0 Z9\nM30\n";
+  EXPECT_NE(notes("%_N_A_MPF\n" + block + "%_N_B_SPF\n" + block, "siemens").find(":6: note: 3 blocks"),
             std::string::npos);
+  for (const char* first : {"%_N_A_MPF\n", "%_N_A_SPF\n"})
+    EXPECT_NE(
+        reasons_of(read_program(first + block + "%_N_B_MPF\n" + block, "siemens")).find("an archive with another"),
+        std::string::npos);
   EXPECT_EQ(notes("0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1\n2 L X+0 Y+0 Z+9 R0 FMAX M30\n3 END PGM A MM\n", "heidenhain"),
             "");
 }
