@@ -45,6 +45,22 @@ void find_text_outside(const ProgramText& text, SiemensRunner& runner) {
   }
 }
 
+/// Programs of an archive stand behind their names: %_N_A_MPF. Which of several main programs runs is not stated.
+void find_other_programs(const ProgramText& text, const SourceStatements& lines, SiemensRunner& runner) {
+  std::size_t heads = 0, main_programs = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!text.line(i).starts_with('%')) continue;
+    const std::string line = in_capitals(trim_blanks(text.line(i)));
+    if (!line.starts_with("%_N_")) continue;
+    const bool is_main = line.ends_with("_MPF");
+    main_programs += is_main ? 1U : 0U;
+    const bool is_other = ++heads > 1 && is_main && (main_programs > 1 || heads > main_programs);
+    if (is_other)
+      return runner.lose_rest(
+          "the file is an archive with another program, " + line.substr(1) + "; expected a file each", text.number(i));
+  }
+}
+
 }  // namespace
 
 bool is_siemens_program(std::string_view bytes) {
@@ -68,6 +84,7 @@ ProgramFacts run_siemens(const ProgramInput& input) {
   SiemensRun run(input, text, runner);
   run.run_start(input.options.setup.start);
   find_text_outside(text, runner);
+  find_other_programs(text, input.path.statements, runner);
   run.run();
   ProgramFacts facts;
   facts.unit_line = runner.unit_line();
