@@ -11,8 +11,6 @@
 namespace gouge {
 namespace {
 
-/// Blocks that may run beyond those of the file: loops that do not end are ended here.
-constexpr std::size_t kMaxRepeatedKlartext = 2'000'000;
 constexpr int kMaxRepeats = 65'534;  // input range of REP
 
 /// Returns the name of a label at the start of a text, and shortens the text: "5" or "\"NAME\"". Empty: there is none.
@@ -90,14 +88,14 @@ void KlartextRun::find_labels() {
 void KlartextRun::run() {
   find_labels();
   Stage stage(input_.progress, "reading " + input_.path.file, text_.size());
-  const std::size_t most = text_.size() + kMaxRepeatedKlartext;
+  const std::size_t most = text_.size() + kMaxRepeatedBlocks;
   next_ = text_.begin();
   for (std::size_t steps = 0; next_ < text_.end() && !runner_.has_ended() && !runner_.facts().error; ++steps) {
     stage.pass(steps);
     at_ = next_;
     motion_.begin_block(at_, text_.number(at_));
     if (steps > most) {
-      runner_.lose_rest("the program runs more than " + std::to_string(kMaxRepeatedKlartext) +
+      runner_.lose_rest("the program runs more than " + std::to_string(kMaxRepeatedBlocks) +
                         " blocks again: a loop may have no end");
       break;
     }

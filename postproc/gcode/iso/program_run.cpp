@@ -11,9 +11,6 @@
 namespace gouge {
 namespace {
 
-/// Blocks that may run beyond those of the file: loops that do not end are ended here.
-constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
-
 char first_letter(std::string_view line) {
   const std::string_view text = trim_blanks(line);
   return text.empty() ? '\0' : capital(text[0]);

@@ -56,6 +56,8 @@ class StoredProgram {
 
 /// Programs may call each other to this depth.
 inline constexpr std::size_t kMaxCalls = 64;
+/// Blocks that may run beyond those of the file: loops that do not end are ended here.
+inline constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
 
 /// Adds the lines of a text that are not blank. Cost: one pass at the speed of memory.
 void add_lines(std::string_view text, SourceStatements& lines);

@@ -7,12 +7,6 @@
 #include "postproc/gcode/siemens/siemens_lexer.h"
 
 namespace gouge {
-namespace {
-
-/// Blocks that may run beyond those of the file: loops that do not end are ended here.
-constexpr std::size_t kMaxRepeatedBlocks = 10'000'000;
-
-}  // namespace
 
 SiemensRun::SiemensRun(const ProgramInput& input, const ProgramText& text, SiemensRunner& runner)
     : input_(input), runner_(runner), main_(&text), main_text_{&text, {}}, text_(&main_text_) {}
