@@ -308,8 +308,18 @@ class Evaluator {
 constexpr std::array<double, 16> kPowers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                             1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
-// Reads a number without sign that a double holds exactly but for one division, which rounds once. None: another text.
-std::optional<double> plain_number(GcodeCursor& c, bool& has_point) {
+}  // namespace
+
+void GcodeCursor::skip_blanks() {
+  while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '\r')) ++at;
+}
+
+void GcodeCursor::fail(std::string reason) {
+  if (error.empty()) error = std::move(reason);
+  at = text.size();
+}
+
+std::optional<double> read_plain_number(GcodeCursor& c, bool& has_point) {
   constexpr std::size_t kMaxDigits = 15;
   std::size_t at = c.at, digits = 0, decimals = 0;
   long long value = 0;
@@ -333,17 +343,6 @@ std::optional<double> plain_number(GcodeCursor& c, bool& has_point) {
   return static_cast<double>(value) / kPowers[decimals];
 }
 
-}  // namespace
-
-void GcodeCursor::skip_blanks() {
-  while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '\r')) ++at;
-}
-
-void GcodeCursor::fail(std::string reason) {
-  if (error.empty()) error = std::move(reason);
-  at = text.size();
-}
-
 double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables, bool& has_point) {
   cursor.skip_blanks();
   const std::size_t begin = cursor.at;
@@ -352,7 +351,7 @@ double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVar
     ++cursor.at;
     cursor.skip_blanks();
   }
-  if (const auto plain = plain_number(cursor, has_point)) return sign == '-' ? -*plain : *plain;
+  if (const auto plain = read_plain_number(cursor, has_point)) return sign == '-' ? -*plain : *plain;
   cursor.at = begin;
   const bool is_expression = cursor.text.substr(begin).find_first_of("#[") != std::string_view::npos;
   const double value = Evaluator(cursor, syntax, variables).value();

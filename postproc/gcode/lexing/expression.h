@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,10 @@ struct GcodeCursor {
 /// Source   LinuxCNC, G-Code Overview, Expressions; Fanuc B-64484EN, Custom macro.
 [[nodiscard]] double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables,
                                 bool& has_point);
+
+/// Reads a number without sign that a double holds exactly but for one division, which rounds once. Nothing, with the cursor
+/// where it was: another text.
+[[nodiscard]] std::optional<double> read_plain_number(GcodeCursor& cursor, bool& has_point);
 
 /// Reads an expression without brackets around it, which custom macros have on the right of an assignment.
 [[nodiscard]] double read_expression(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables);

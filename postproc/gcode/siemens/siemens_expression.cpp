@@ -272,15 +272,28 @@ class SiemensEvaluator {
 
 }  // namespace
 
+std::size_t siemens_name_length(std::string_view text) {
+  if (text.empty() || !begins_name(text[0])) return 0;
+  std::size_t length = 1;
+  while (length < text.size() && (begins_name(text[length]) || is_digit(text[length]))) ++length;
+  return length;
+}
+
 std::string read_siemens_name(GcodeCursor& c) {
-  std::string name;
-  if (!begins_name(c.peek())) return name;
-  while (begins_name(c.peek()) || is_digit(c.peek())) name += capital(c.text[c.at++]);
-  return name;
+  const std::string_view rest = c.text.substr(std::min(c.at, c.text.size()));
+  const std::size_t length = siemens_name_length(rest);
+  c.at += length;
+  return in_capitals(rest.substr(0, length));
 }
 
 double read_siemens_number(GcodeCursor& c) {
   const std::size_t begin = c.at;
+  const bool is_below = c.peek() == '-';
+  if (is_below || c.peek() == '+') ++c.at;
+  bool has_point = false;
+  const std::optional<double> plain = read_plain_number(c, has_point);
+  if (plain && capital(c.peek()) != 'E') return is_below ? -*plain : *plain;
+  c.at = begin;
   if (c.peek() == '-' || c.peek() == '+') ++c.at;
   while (is_digit(c.peek()) || c.peek() == '.') ++c.at;
   const std::string_view digits = c.text.substr(begin, c.at - begin);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "postproc/gcode/lexing/expression.h"
 #include "postproc/gcode/siemens/siemens_variables.h"
@@ -13,6 +14,8 @@ namespace gouge {
 [[nodiscard]] double read_siemens_value(GcodeCursor& cursor, const SiemensVariables& variables);
 /// Reads one number, variable or value in brackets, with its sign: no operator follows.
 [[nodiscard]] double read_siemens_number(GcodeCursor& cursor);
+/// Returns the length of the name with which a text begins; 0: it begins with none.
+[[nodiscard]] std::size_t siemens_name_length(std::string_view text);
 /// Reads a name in capitals: letters, digits, underscores and $. Empty: none is at the cursor.
 [[nodiscard]] std::string read_siemens_name(GcodeCursor& cursor);
 

@@ -212,7 +212,7 @@ const SiemensRun::Labels& SiemensRun::labels() {
   for (std::size_t i = text_->program->begin(); i < text_->program->end(); ++i) {
     const SiemensLineStart start = read_siemens_start(text_->program->line(i));
     if (!start.label.empty()) made[start.label].push_back(i);
-    if (!start.number.empty()) made[one_spelling(start.number)].push_back(i);
+    if (!start.number.empty()) made[one_spelling("N" + std::string(start.number))].push_back(i);
   }
   text_->labels = std::move(made);
   return *text_->labels;

@@ -208,6 +208,7 @@ std::string flow_word_at(std::string_view line, std::size_t at) {
 }  // namespace
 
 std::string_view without_comment(std::string_view line) {
+  if (line.find(';') == std::string_view::npos) return line;
   bool is_in_text = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '"') is_in_text = !is_in_text;
@@ -229,20 +230,17 @@ SiemensLineStart read_siemens_start(std::string_view line) {
   const auto digit_at = [&](std::size_t at) { return at < line.size() && is_digit(line[at]); };
   const bool is_numbered = (capital(c.peek()) == 'N' || c.peek() == ':') && digit_at(c.at + 1);
   if (is_numbered) {
-    ++c.at;
-    start.number = "N";
-    while (is_digit(c.peek())) start.number += line[c.at++];
+    const std::size_t first = ++c.at;
+    while (is_digit(c.peek())) ++c.at;
+    start.number = line.substr(first, c.at - first);
     c.skip_blanks();
   }
-  const std::size_t words = c.at;
-  const std::string name = read_siemens_name(c);
-  if (name.size() > 1 && c.peek() == ':') {
-    start.label = name;
-    ++c.at;
-  } else {
-    c.at = words;
-  }
   start.first_word = c.at;
+  const std::size_t length = siemens_name_length(line.substr(std::min(c.at, line.size())));
+  if (length > 1 && c.at + length < line.size() && line[c.at + length] == ':') {
+    start.label = in_capitals(line.substr(c.at, length));
+    start.first_word += length + 1;
+  }
   return start;
 }
 
@@ -251,7 +249,7 @@ std::string flow_word_of(std::string_view line) { return flow_word_at(line, read
 void read_siemens_block(std::string_view line, const SiemensVariables& variables, SiemensBlock& block) {
   block.clear();
   const std::string_view text = without_comment(line);
-  if (!trim_blanks(text).empty() && trim_blanks(text)[0] == '%') return;  // the name of the program
+  if (trim_blanks(text).starts_with('%')) return;  // the name of the program
   const SiemensLineStart start = read_siemens_start(text);
   block.is_skippable = start.is_skippable;
   block.flow_word = flow_word_at(text, start.first_word);

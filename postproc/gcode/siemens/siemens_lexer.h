@@ -16,7 +16,7 @@ void read_siemens_block(std::string_view line, const SiemensVariables& variables
 /// The parts of a line before its words.
 struct SiemensLineStart {
   std::string label;           ///< LABEL of "LABEL: G0 X0", in capitals; empty: none
-  std::string number;          ///< "N100"; empty: none
+  std::string_view number;     ///< digits of N100; empty: none
   bool is_skippable = false;   ///< the mark for a block that may be skipped
   std::size_t first_word = 0;  ///< byte at which the words begin
 };
