@@ -7,6 +7,7 @@
 #include "cli/job/read_inputs.h"
 #include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_choice.h"
+#include "cli/machine/program_machine.h"
 #include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
 #include "cli/tools/stock_tools.h"
@@ -50,6 +51,7 @@ class ProgramReader {
   bool place(const BeforeText& stated, EarlierProgram& program) {
     Toolpath& path = program.path;
     if (stated.place.empty()) {
+      if (const auto other = find_other_offset(path, job_.toolpath)) return fail(*other);
       if (job_.machine)
         add_notes(choose_joints_of(*job_.machine, program.law, job_.options.tool_length_mm,
                                    needs_turn(job_.laws, false), path));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/library/checked_path.h"
+#include "cli/machine/program_machine.h"
 #include "cli/tools/resolve_tools.h"
 #include "cli/tools/stock_tools.h"
 #include "cli/values/parse_lengths.h"
@@ -90,6 +91,7 @@ class StockMaker {
 
   void place(const EarlierProgram& stated, gouge::Toolpath& path) {
     if (stated.place.empty()) {
+      if (auto other = gouge::find_other_offset(path, path_)) raise(std::move(*other));
       if (machine_ != nullptr) path = joints_added(std::move(path), *machine_);
       return;
     }

@@ -3,6 +3,13 @@
 #include "cli/values/parse_lengths.h"
 
 namespace gouge {
+namespace {
+
+std::string frame_text(const Toolpath& program) {
+  return program.work_offset.empty() ? "those of the part" : "those of work offset " + program.work_offset;
+}
+
+}  // namespace
 
 std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const ProgramSetup>& setup,
                                                  const Machine& machine, const StatedMachine& stated,
@@ -25,6 +32,15 @@ std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const Pro
   full.are_joint_rapids_straight = joint_rapids == TurnLaw::joint;
   full.feed_law = laws ? std::optional(laws->feeds) : machine.control.feed_law;
   return std::make_shared<const ProgramSetup>(std::move(full));
+}
+
+std::optional<Diagnostic> find_other_offset(const Toolpath& before, const Toolpath& path) {
+  const bool are_programs = before.dialect == kProgramDialect && path.dialect == kProgramDialect;
+  if (!are_programs || before.work_offset == path.work_offset) return std::nullopt;
+  return make_error("before-place",
+                    "its coordinates are " + frame_text(before) + ", and the coordinates of the toolpath are " +
+                        frame_text(path) + "; expected place=X,Y,Z, or --zero and --offset of both",
+                    before.file);
 }
 
 }  // namespace gouge

@@ -22,4 +22,8 @@ namespace gouge {
                                                                const std::optional<double>& tip_tolerance_mm,
                                                                const std::optional<double>& axis_tolerance_rad);
 
+/// Returns the error of a program that cut the stock before a path, if its coordinates are those of another work offset. None:
+/// they are not, or one of both is no program of a control.
+[[nodiscard]] std::optional<Diagnostic> find_other_offset(const Toolpath& before, const Toolpath& path);
+
 }  // namespace gouge

@@ -227,6 +227,26 @@ TEST_F(SmallProgram, ThatBeginsBelowTheTopIsNotFullyChecked) {
   EXPECT_EQ(with("G0 X50. Y0. Z61.\nZ5.\n", {"--joint-rapid-law", "joint"}).exit_status, 0);
 }
 
+// A missing fact is never taken as 0: the place of one work offset against another.
+TEST_F(SmallProgram, CutsTheStockInItsOwnWorkOffset) {
+  const auto slot = [](const std::string& offset, const char* cut) {
+    return "G21 G17 G90 G94 G40 G49 G80\nT1 M6\nG0 " + offset + " X-50. Y0. Z60.\n" + cut +
+           "X50. F100.\nG0 Z60.\nM30\n";
+  };
+  for (const std::string offset : {"G54", "G55"}) {
+    write_text(folder_ + "/before.nc", slot(offset, "G0 Z30.\nG1 Z-5.2 F100.\n"));
+    const auto after = [&](const std::string& place) {
+      return check(slot("G54", "Z-5.\nG1 "), Vec3(-40, -10, -20), Vec3(40, 10, -6),
+                   {"--control", "haas", "--joint-rapid-law", "joint", "--stock", "part+6", "--before",
+                    "before.nc" + place, "--assume", "complete"});
+    };
+    const Outcome as_it_is = after("");
+    EXPECT_EQ(as_it_is.exit_status == 3, offset == "G55") << as_it_is.out << as_it_is.err;
+    EXPECT_EQ(as_it_is.err.find("before-place") != std::string::npos, offset == "G55") << as_it_is.err;
+    EXPECT_NE(after(",place=0,0,0").exit_status, 3);
+  }
+}
+
 // No manual states which of both solutions of the rotary joints a control takes for a vector.
 TEST_F(SmallProgram, WithVectorsIsCheckedByTheLawOfVectorsAlone) {
   const std::string text =

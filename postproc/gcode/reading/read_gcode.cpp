@@ -167,6 +167,8 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
                         path.moves.empty() ? std::size_t{0} : std::size_t{path.moves.front().line})}};
   }
   if (!motion.is_rest_unknown()) note_blocks_not_run(motion.has_run(), path);
+  const bool is_in_part = options.setup.zero && options.setup.offsets.contains(motion.part_offset());
+  if (!is_in_part) path.work_offset = motion.part_offset();
   name_first_tool(options.unnamed_tool, path);
   path.assumptions = assume_program(path, (*language)->title, options, motion, facts);
   outcome.toolpath = std::move(path);
