@@ -51,6 +51,7 @@ std::string BlockRunner::why_not_drilled(const GcodeCycle& cycle, int times) {
   if (cycle.form == DrillForm::not_checked) return "the cycle moves across the hole, or by hand";
   if (!modes_.plane || *modes_.plane != PlaneAxes{0, 1, 2}) return "the cycle is not in the plane of G17";
   if (!modes_.retracts_to_start) return "nothing states G98 or G99 before the cycle; expected --start G98";
+  if (!cycle_.open.empty()) return cycle_.open;
   if (!cycle_.r_mm || !cycle_.z_mm) return "the cycle has no R or no Z";
   if (!modes_.has_feed) return "no feed is stated, so the control refuses the cycle; expected F before it";
   const char letter = words_.has('L') ? 'L' : 'K';

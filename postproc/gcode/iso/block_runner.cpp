@@ -114,6 +114,9 @@ void BlockRunner::take_code(const GcodeRow& row) {
       break;
     case Meaning::inch:
     case Meaning::mm:
+      if (modes_.motion != nullptr && modes_.motion->meaning == Meaning::cycle)
+        cycle_.open =
+            "the unit is stated while a cycle is in force, whose R and Z are in the unit before; expected G80";
       modes_.unit = row.meaning == Meaning::inch ? LengthUnit::inch : LengthUnit::mm;
       if (unit_line_ == 0) {
         unit_line_ = line_;
@@ -285,7 +288,7 @@ void BlockRunner::move() {
   if (stated != nullptr) {
     const bool begins =
         stated->meaning == Meaning::cycle && (modes_.motion == nullptr || modes_.motion->meaning != Meaning::cycle);
-    if (begins) cycle_.start_mm = motion_.place().xyz.z();
+    if (begins) cycle_.start_mm = motion_.place().xyz.z(), cycle_.open.clear();
     if (stated->meaning == Meaning::cycle && stated != modes_.motion) cycle_.r_mm = cycle_.z_mm = std::nullopt;
     modes_.motion = stated->meaning == Meaning::no_motion ? nullptr : stated;
   } else if (words_.row_of(ModalGroup::cycle_end) != nullptr) {

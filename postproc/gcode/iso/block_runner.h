@@ -38,6 +38,7 @@ struct GcodeModes {
 struct DrillState {
   std::optional<double> r_mm, z_mm, feed;
   bool is_r_step = false, is_z_step = false;  ///< by G91
+  std::string open;                           ///< why R and Z are not known; empty: they are
   double start_mm = 0;                        ///< level at which the cycle began
   int times = 1;                              ///< of the block
 };

@@ -125,6 +125,15 @@ TEST(GcodeWords, OfACycleKeepTheModeInWhichTheyStand) {
   }
 }
 
+// LinuxCNC keeps the numbers of R and Z, not their lengths; no manual at hand states it for the others.
+TEST(GcodeWords, OfUnitsInACycleAreNotRead) {
+  const std::string start = "G20 G90 G17 G40 G49 G80 G94 G54 G98\nT1 M6\nG0 X0. Y0. Z1.\nF4.\nG81 X.4 Y0. Z.2 R.4\n";
+  for (const char* control : {"linuxcnc", "haas", "fanuc"}) {
+    expect_open(start + "G21\nX20.\nG80\nM30\n", control, "the unit is stated while a cycle is in force");
+    expect_checked(start + "G80\nG21\nG0 X20.\nM30\n", control);
+  }
+}
+
 TEST(GcodeWords, OfCallsAndDwellsMayStandInACycle) {
   const std::string text = program("G99 G81 X10. Y0. Z-5. R2. F100.\nM98 P2000\nG4 P500\nG80\n") + "O2000\nX20.\nM99\n";
   for (const char* control : {"haas", "fanuc"}) expect_checked(text, control);
