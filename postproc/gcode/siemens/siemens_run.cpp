@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/stage.h"
 #include "postproc/gcode/siemens/siemens_lexer.h"
@@ -94,6 +95,14 @@ void SiemensRun::follow(const SiemensNext& next) {
   }
 }
 
+// The program in a file beside must be that of its name: %_N_L10_SPF, or a file without such a head.
+bool SiemensRun::holds_other_program(std::string_view bytes, const std::string& name) {
+  const std::string text = in_capitals(bytes), head = "%_N_";
+  for (std::size_t at = text.find(head); at != std::string::npos; at = text.find(head, at + 1))
+    if (text.compare(at + head.size(), name.size() + 1, name + "_") != 0) return true;
+  return false;
+}
+
 // An archive holds several programs, each behind its name: %_N_L10_SPF.
 bool SiemensRun::holds_program(const std::string& name) const {
   return std::string_view(input_.path.source).find("%_N_" + name + "_") != std::string_view::npos;
@@ -137,7 +146,7 @@ SiemensRun::Text* SiemensRun::beside(const std::string& name) {
   std::optional<std::string> bytes;
   for (const char* end : {".SPF", ".spf", ".MPF", ".mpf"})
     if (!bytes) bytes = input_.options.setup.read_beside(name + end);
-  if (!bytes) return nullptr;
+  if (!bytes || holds_other_program(*bytes, name)) return nullptr;
   return &besides_.try_emplace(name, std::move(*bytes)).first->second.text;
 }
 

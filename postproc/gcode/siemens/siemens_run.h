@@ -55,6 +55,7 @@ class SiemensRun {
   void run_block();
   [[nodiscard]] bool is_left_out(bool is_skippable, bool is_empty);
   void follow(const SiemensNext& next);
+  [[nodiscard]] static bool holds_other_program(std::string_view bytes, const std::string& name);
   [[nodiscard]] bool holds_program(const std::string& name) const;
   void call(const SiemensNext& next);
   void begin_call(Text& text, std::size_t begin, std::size_t end, int times, bool is_section);

@@ -58,12 +58,16 @@ TEST(SiemensFlow, SubprogramsBesideTheFileAreRead) {
     if (name == "L010.SPF") return "R1=R1+50\nM17\n";  // zeros are a part of the name
     if (name == "L10.SPF") return "R1=R1+1\nM17\nR1=100\n";
     if (name == "GOHOME.SPF" || name == "MYSUB.SPF") return "G1 X7\nM17\n";
+    if (name == "L31.SPF") return "%_N_L32_SPF\nG1 X9\nM17\n%_N_L31_SPF\nG1 X8\nM17\n";
+    if (name == "L33.SPF") return "%_N_L33_SPF\nG1 X6\nM17\n";
     if (name == "POCKET.SPF") return "PROC POCKET\nG1 X3\nRET\n";
     return std::nullopt;
   };
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL10 P3\nG1 X=R1 F100\n", setup).x(), 3);
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL010\nG1 X=R1 F100\n", setup).x(), 50);
   EXPECT_DOUBLE_EQ(tip_after("G1 X1 F100\nPOCKET\n", setup).x(), 3);
+  EXPECT_DOUBLE_EQ(tip_after("G1 X1 F100\nL33\n", setup).x(), 6);
+  EXPECT_FALSE(test::can_be_clean(test::read_siemens(kHead + "G1 X1 F100\nL31\nM30\n", setup)));
   for (const char* name : {"GOHOME", "MYSUB"})
     EXPECT_DOUBLE_EQ(tip_after(std::string("G1 X1 F100\n") + name + "\n", setup).x(), 7) << name;
   const ReadOutcome archive =
