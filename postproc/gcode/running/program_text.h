@@ -56,8 +56,13 @@ class StoredProgram {
 
 /// Programs may call each other to this depth.
 inline constexpr std::size_t kMaxCalls = 64;
-/// Blocks that may run beyond those of the file: loops that do not end are ended here.
+/// Blocks that may run beyond those of the file: loops that do not end are ended here. With sanitizers a block takes a
+/// hundred times as long.
+#if defined(GOUGE_SANITIZED)
+inline constexpr std::size_t kMaxRepeatedBlocks = 20'000;
+#else
 inline constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
+#endif
 
 /// Adds the lines of a text that are not blank. Cost: one pass at the speed of memory.
 void add_lines(std::string_view text, SourceStatements& lines);
