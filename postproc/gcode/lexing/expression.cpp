@@ -15,7 +15,7 @@ namespace gouge {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr int kDeepest = 50;  // brackets in each other
+constexpr int kDeepest = 50;
 
 double truth(bool value) { return value ? 1 : 0; }
 
@@ -43,6 +43,16 @@ class Evaluator {
       : c_(cursor), syntax_(syntax), variables_(variables) {}
 
   double value() {
+    if (++c_.depth > kDeepest) c_.fail("an expression has too many brackets, signs or # in each other");
+    const double found = c_.error.empty() ? value_here() : kUnknownValue;
+    --c_.depth;
+    return found;
+  }
+
+  double whole() { return operation(Rank::comparison); }
+
+ private:
+  double value_here() {
     c_.skip_blanks();
     const char c = c_.peek();
     if (c == '-' || c == '+') {
@@ -59,9 +69,6 @@ class Evaluator {
     return number();
   }
 
-  double whole() { return operation(Rank::comparison); }
-
- private:
   enum class Rank { comparison, logic, sum, product, power, none };
   enum class Operator {
     plus,
@@ -200,16 +207,11 @@ class Evaluator {
   }
 
   double brackets() {
-    if (++depth_ > kDeepest) {
-      c_.fail("an expression has too many brackets in each other");
-      return kUnknownValue;
-    }
     ++c_.at;
     const double inner = operation(Rank::comparison);
     c_.skip_blanks();
     if (c_.peek() != ']') c_.fail("an expression without its closing bracket");
     ++c_.at;
-    --depth_;
     return inner;
   }
 
@@ -301,7 +303,6 @@ class Evaluator {
   GcodeCursor& c_;
   const GcodeSyntax& syntax_;
   const GcodeVariables& variables_;
-  int depth_ = 0;
 };
 
 // Powers of ten that are exact doubles.

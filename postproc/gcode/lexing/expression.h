@@ -17,6 +17,7 @@ struct GcodeCursor {
   std::string_view text;
   std::size_t at = 0;
   std::string error = {};   ///< empty: understood so far
+  int depth = 0;            ///< brackets, signs and # in each other
   bool is_address = false;  ///< the value is that of an address
   bool is_rounded = false;  ///< a value that is read is the result of fractions, which digits round
 
