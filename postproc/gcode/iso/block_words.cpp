@@ -17,8 +17,6 @@ std::optional<CodeNumber> code_number(double value) {
   return static_cast<CodeNumber>(std::lround(tenfold));
 }
 
-constexpr GcodeRow kHarmlessRow = {'M', 0, GcodeMeaning::harmless};
-
 constexpr bool is_axis_letter(char letter) {
   return (letter >= 'X' && letter <= 'Z') || (letter >= 'A' && letter <= 'C');
 }
@@ -55,13 +53,16 @@ CodeIndex::CodeIndex(const ControlTable& control, const std::vector<std::string>
     if (letter != 'G' && letter != 'M') continue;
     const auto value = parse_number(std::string_view(word).substr(1));
     const auto number = value ? code_number(*value) : std::nullopt;
-    if (number) (letter == 'G' ? harmless_g_ : harmless_m_).push_back(*number);
+    if (!number || harmless_row(letter, *number) != nullptr) continue;
+    // Axis words beside it would be a motion of an unknown kind.
+    harmless_.push_back({.letter = letter, .number = *number, .meaning = GcodeMeaning::harmless, .takes_axes = false});
   }
 }
 
-bool CodeIndex::is_harmless(char letter, CodeNumber number) const {
-  const std::vector<CodeNumber>& all = letter == 'G' ? harmless_g_ : harmless_m_;
-  return std::ranges::find(all, number) != all.end();
+const GcodeRow* CodeIndex::harmless_row(char letter, CodeNumber number) const {
+  const auto is_it = [&](const GcodeRow& row) { return row.letter == letter && row.number == number; };
+  const auto row = std::ranges::find_if(harmless_, is_it);
+  return row == harmless_.end() ? nullptr : &*row;
 }
 
 const GcodeRow* CodeIndex::row(const GcodeWord& word) const {
@@ -70,10 +71,11 @@ const GcodeRow* CodeIndex::row(const GcodeWord& word) const {
   const std::vector<const GcodeRow*>& rows = word.letter == 'G' ? g_ : m_;
   const auto at = static_cast<std::size_t>(*number);
   if (at < rows.size() && rows[at] != nullptr) return rows[at];
-  return is_harmless(word.letter, *number) ? &kHarmlessRow : nullptr;
+  return harmless_row(word.letter, *number);
 }
 
 std::string BlockWords::take_codes(const GcodeBlock& block, const CodeIndex& index) {
+  const GcodeRow* alone = nullptr;
   for (const GcodeWord& word : block.words) {
     if (word.letter != 'G' && word.letter != 'M') {
       if (has(word.letter)) return "the word " + std::string(1, word.letter) + " occurs twice in the block";
@@ -86,7 +88,14 @@ std::string BlockWords::take_codes(const GcodeBlock& block, const CodeIndex& ind
       return word_text(word) + " is not in the table of control " + std::string(index.control().title);
     if (std::ranges::find(rows_, row) != rows_.end()) return word_text(word) + " occurs twice in the block";
     rows_.push_back(row);
-    if (row->group == ModalGroup::none) continue;
+    if (row->group == ModalGroup::none) {
+      if (row->letter != 'G') continue;
+      // Of several codes of group 00 one control takes the last, and another one none.
+      if (alone != nullptr)
+        return code_text(alone->letter, alone->number) + " and " + word_text(word) + " exclude each other in a block";
+      alone = row;
+      continue;
+    }
     const GcodeRow*& of_group = groups_[static_cast<std::size_t>(row->group)];
     if (of_group != nullptr)
       return code_text(of_group->letter, of_group->number) + " and " + word_text(word) +

@@ -24,11 +24,12 @@ class CodeIndex {
 
  private:
   static constexpr std::size_t kG = 10000, kM = 10000;  // codes from 0 to G999.9 and M999.9
-  [[nodiscard]] bool is_harmless(char letter, CodeNumber number) const;
+  /// Returns the row of a code that the user states to be harmless; null: it is none.
+  [[nodiscard]] const GcodeRow* harmless_row(char letter, CodeNumber number) const;
 
   const ControlTable& control_;
   std::vector<const GcodeRow*> g_, m_;
-  std::vector<CodeNumber> harmless_g_, harmless_m_;
+  std::vector<GcodeRow> harmless_;
   ModalGroup tip_control_group_ = ModalGroup::none;
 };
 

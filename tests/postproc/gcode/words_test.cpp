@@ -125,6 +125,42 @@ TEST(GcodeWords, OfACycleKeepTheModeInWhichTheyStand) {
   }
 }
 
+// Fanuc, B-64484EN: of several codes of group 00 the last counts; LinuxCNC refuses them.
+TEST(GcodeWords, OfOneBlockExcludeEachOtherInGroupZero) {
+  ProgramSetup setup;
+  setup.offsets["G54"] = {};
+  setup.tool_length_mm = 100;
+  setup.home_mm = Vec3(0, 0, 300);
+  for (const char* control : {"linuxcnc", "haas", "fanuc"})
+    for (const char* codes : {"G28 G53 Z20.", "G53 G9 Z20.", "G28 G30 Z20.", "G4 P1. G53 Z20."})
+      EXPECT_FALSE(can_be_clean(read_program(program(std::string(codes) + "\nG1 X5. F9.\n"), control, setup)))
+          << codes << " on " << control;
+}
+
+// A word that neither moves nor changes anything has no coordinates.
+TEST(GcodeWords, ThatTheUserStatesAreNoMotion) {
+  for (const char* control : {"linuxcnc", "haas", "fanuc"}) {
+    for (const char* code : {"G200", "M200"}) {
+      const std::vector<std::string> harmless = {code};
+      EXPECT_TRUE(can_be_clean(read_program(program(std::string(code) + "\nG1 X5. F9.\n"), control, {}, harmless)));
+      EXPECT_FALSE(
+          can_be_clean(read_program(program(std::string(code) + " X3. Y4.\nG1 X5. F9.\n"), control, {}, harmless)))
+          << code << " on " << control;
+    }
+  }
+}
+
+// Whatever a damaged file holds, the reader ends with a reason.
+TEST(GcodeWords, InEachOtherAreBounded) {
+  for (const char* control : {"linuxcnc", "haas", "fanuc"}) {
+    for (const char* part : {"-", "#", "#[", "[", "-#", "SIN["}) {
+      std::string word = "G1 X";
+      for (int i = 0; i < 100000; ++i) word += part;
+      EXPECT_FALSE(can_be_clean(read_program(program(word + "1. F9.\n"), control))) << part << " on " << control;
+    }
+  }
+}
+
 // LinuxCNC keeps the numbers of R and Z, not their lengths; no manual at hand states it for the others.
 TEST(GcodeWords, OfUnitsInACycleAreNotRead) {
   const std::string start = "G20 G90 G17 G40 G49 G80 G94 G54 G98\nT1 M6\nG0 X0. Y0. Z1.\nF4.\nG81 X.4 Y0. Z.2 R.4\n";
