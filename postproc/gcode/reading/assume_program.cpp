@@ -33,7 +33,8 @@ Assumption control_of_program(std::string_view control, const ProgramSetup& setu
   return fact;
 }
 
-Assumption end_of_program(const ProgramFacts& facts, const Tally& approach) {
+Assumption end_of_program(const ProgramFacts& facts, const ProgramMotion& motion) {
+  const Tally& approach = motion.approach();
   Assumption fact{.subject = Subject::completeness, .value = "whole program", .code = "path-cut-short"};
   fact.remedy = "save it again, or state that it is whole with --assume complete";
   if (facts.end_line > 0) {
@@ -43,6 +44,10 @@ Assumption end_of_program(const ProgramFacts& facts, const Tally& approach) {
   } else {
     fact.basis = Basis::unknown;
     fact.evidence = "the program does not have its end, such as M30";
+    if (motion.is_rest_unknown()) {
+      fact.evidence = "the program is not understood to its end";
+      fact.remedy = "correct the program, or state words of your shop with --harmless-word";
+    }
   }
   if (fact.basis == Basis::derived && approach.count > 0) {
     fact.basis = Basis::by_default;
@@ -100,7 +105,7 @@ Assumption frame_of_program(const ProgramSetup& setup, const ProgramMotion& moti
 Assumptions assume_program(const Toolpath& path, std::string_view control, const GcodeOptions& options,
                            const ProgramMotion& motion, const ProgramFacts& facts) {
   Assumptions all = {unit_of_program(path, options, facts), control_of_program(control, options.setup),
-                     end_of_program(facts, motion.approach()), words_of_program(path),
+                     end_of_program(facts, motion), words_of_program(path),
                      frame_of_program(options.setup, motion, facts)};
   for (Assumption& fact : all) fact.file = path.file;
   return all;
