@@ -69,6 +69,7 @@ constexpr auto kCodes = std::to_array<ControlCode>({
     {'G', 960, 970, harmless, "RP", kIso},
     {'G', 980, 990, harmless, "", kFanuc},
     {'G', 1130, 1130, harmless, "", kFanuc},
+    {'G', 1130, 1130, offset, "", kHaas},
     {'G', 1530, 1530, moves, "", kSiemens},
     {'G', 1540, 1549, offset, "P", kHaas},
     {'G', 1870, 1870, harmless, "PE", kHaas},
