@@ -2,15 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include "lib/base/files.h"
-#include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/machine/read_machine.h"
 #include "postproc/formats/read_toolpath.h"
+#include "tests/samples/box_stl.h"
 #include "tests/samples/csv.h"
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
@@ -140,33 +139,6 @@ TEST_F(PublicProgram, TheHaasProgramHasThePositionsOfItsClData) {
   }
 }
 
-/// A box from `low` to `high`.
-std::string box_stl(const Vec3& low, const Vec3& high) {
-  constexpr std::array<std::array<int, 3>, 12> kFaces = {{{0, 2, 1},
-                                                          {1, 2, 3},
-                                                          {4, 5, 6},
-                                                          {5, 7, 6},
-                                                          {0, 1, 4},
-                                                          {1, 5, 4},
-                                                          {2, 6, 3},
-                                                          {3, 6, 7},
-                                                          {0, 4, 2},
-                                                          {2, 4, 6},
-                                                          {1, 3, 5},
-                                                          {3, 7, 5}}};
-  std::string text = "solid box\n";
-  for (const auto& face : kFaces) {
-    text += "facet normal 0 0 0\nouter loop\n";
-    for (const int k : face) {
-      text += "vertex";
-      for (int axis = 0; axis < 3; ++axis) text += " " + exact_text((k >> axis & 1) != 0 ? high[axis] : low[axis]);
-      text += "\n";
-    }
-    text += "endloop\nendfacet\n";
-  }
-  return text + "endsolid box\n";
-}
-
 /// A folder with a thin tool, its length of 100 mm, and a box.
 class SmallProgram : public testing::Test {
  protected:
@@ -180,7 +152,7 @@ class SmallProgram : public testing::Test {
   Outcome check(const std::string& text, const Vec3& low, const Vec3& high,
                 const std::vector<std::string>& more) const {
     write_text(folder_ + "/program.nc", text);
-    write_text(folder_ + "/part.stl", box_stl(low, high));
+    write_text(folder_ + "/part.stl", box_stl({low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}));
     std::vector<std::string> all = {"check", "program.nc", "--part",     "part.stl", "--stl-units",
                                     "mm",    "--tools",    "tools.json", "--json",   "check.json"};
     all.insert(all.end(), more.begin(), more.end());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/samples/box_stl.h"
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
@@ -72,42 +73,12 @@ TEST(Tilt, LimitsInForceStandInTheReport) {
     EXPECT_NE(html.find(shown), std::string::npos) << shown;
 }
 
-/// A box as an STL file of text.
-std::string box_text(const std::array<double, 3>& low, const std::array<double, 3>& high) {
-  // Two triangles for each face, corners numbered by bits: x 1, y 2, z 4.
-  constexpr std::array<std::array<int, 3>, 12> kFaces{{{0, 2, 1},
-                                                       {1, 2, 3},
-                                                       {4, 5, 6},
-                                                       {5, 7, 6},
-                                                       {0, 1, 4},
-                                                       {1, 5, 4},
-                                                       {2, 6, 3},
-                                                       {3, 6, 7},
-                                                       {0, 4, 2},
-                                                       {2, 4, 6},
-                                                       {1, 3, 5},
-                                                       {3, 7, 5}}};
-  std::string text = "solid box\n";
-  for (const auto& face : kFaces) {
-    text += "facet normal 0 0 0\nouter loop\n";
-    for (const int corner : face) {
-      text += "vertex";
-      for (int k = 0; k < 3; ++k)
-        text += " " + std::to_string(((corner >> k) & 1) != 0 ? high.at(static_cast<std::size_t>(k))
-                                                              : low.at(static_cast<std::size_t>(k)));
-      text += "\n";
-    }
-    text += "endloop\nendfacet\n";
-  }
-  return text + "endsolid box\n";
-}
-
 // The edge of a flat end does what its face did: nothing gouges, but the floor would be left higher. So it is not
 // tilted unless that is allowed, and what the lift leaves instead is stated too.
 TEST(Tilt, OfAFlatEndThatWouldLeaveStockIsNotMadeUnlessAllowed) {
   const std::string folder = fresh_folder();
-  write_text(folder + "/floor.stl", box_text({-200, -200, -10}, {200, 200, 0}));
-  write_text(folder + "/wall.stl", box_text({13, -30, -5}, {60, 30, 60}));
+  write_text(folder + "/floor.stl", box_stl({-200, -200, -10}, {200, 200, 0}));
+  write_text(folder + "/wall.stl", box_stl({13, -30, -5}, {60, 30, 60}));
   std::string path = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,-80,120,0,0,1\n";
   for (int y = -80; y <= 80; y += 4) path += "GOTO/0," + std::to_string(y) + ",0,0,0,1\n";
   write_text(folder + "/pass.apt", path);
