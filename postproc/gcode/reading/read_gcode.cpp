@@ -95,11 +95,12 @@ bool has_checked_move(const Toolpath& path) {
 void note_blocks_not_run(const std::vector<bool>& has_run, Toolpath& path) {
   std::size_t count = 0, first_line = 0;
   for (std::size_t i = 0; i < path.statements.size(); ++i) {
+    if (has_run[i]) continue;
     const SourceStatement& one = path.statements[i];
     const std::string_view line =
         trim_blanks(std::string_view(path.source).substr(one.first_byte, one.last_byte - one.first_byte));
     const bool is_block = std::string_view("%;(*").find(line[0]) == std::string_view::npos;
-    if (has_run[i] || !is_block) continue;
+    if (!is_block) continue;
     if (count++ == 0) first_line = one.line;
   }
   if (count == 0) return;
