@@ -109,7 +109,8 @@ bool SiemensRun::holds_program(const std::string& name) const {
 }
 
 void SiemensRun::call(const SiemensNext& next) {
-  if (holds_program(next.program))
+  const bool is_known = besides_.contains(next.program);  // the file is searched once for each program
+  if (!is_known && holds_program(next.program))
     return lose("the file itself holds " + next.program +
                 ", and programs of archives are not read; expected a file each");
   Text* const text = beside(next.program);
