@@ -70,7 +70,7 @@ void KlartextRunner::define_plane(std::string_view text) {
 }
 
 void KlartextRunner::tilt(const std::string& reason, const Vec3& angles_deg, std::string_view positioning) {
-  if (has_turned_preset())
+  if (motion_.has_turned_offset())
     return lose_rest("a tilted plane with a preset of rotary axes, whose effect no manual at hand states");
   tangent_.reset();
   pole_.reset();
@@ -144,11 +144,6 @@ void KlartextRunner::control_tip(std::string_view text) {
   begin_tip_control(is_tip ? "" : why_point_open());
 }
 
-bool KlartextRunner::has_turned_preset() const {
-  return motion_.mapper().has_machine() &&
-         (std::abs(motion_.angle_from_program(0, 0)) > 0 || std::abs(motion_.angle_from_program(1, 0)) > 0);
-}
-
 // Source: iTNC 530 60642x-04, p. 516, M128: the tool length must refer to the centre of the ball. REFPNT states it.
 std::string KlartextRunner::why_point_open() const {
   return are_points_of_tip_
@@ -164,7 +159,7 @@ void KlartextRunner::begin_tip_control(const std::string& open) {
                                 input_.path.file, line_);
     return;
   }
-  if (has_turned_preset())
+  if (motion_.has_turned_offset())
     return lose_rest("tool centre point control with a preset of rotary axes, whose effect no manual at hand states");
   tangent_.reset();
   tip_open_ = open;

@@ -77,7 +77,6 @@ class KlartextRunner {
   void control_tip(std::string_view text);
   void begin_tip_control(const std::string& open);
   [[nodiscard]] std::string why_point_open() const;
-  [[nodiscard]] bool has_turned_preset() const;
   void end_tip_control();
   void switch_tip_control(TipControl control);
   void settle_frame();

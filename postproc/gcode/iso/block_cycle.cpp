@@ -12,8 +12,14 @@ void BlockRunner::drill(const GcodeRow& row) {
   const GcodeCycle* const cycle = find_cycle(index_.control(), row.number);
   if (cycle == nullptr) return lose_rest("the cycle has no row", line_);
   const bool is_incremental = modes_.is_absolute == false;
-  if (words_.has('R')) cycle_.r_mm = length('R'), cycle_.is_r_step = is_incremental;
-  if (words_.is_axis('Z')) cycle_.z_mm = length('Z'), cycle_.is_z_step = is_incremental;
+  if (words_.has('R')) {
+    cycle_.r_mm = length('R');
+    cycle_.is_r_step = is_incremental;
+  }
+  if (words_.is_axis('Z')) {
+    cycle_.z_mm = length('Z');
+    cycle_.is_z_step = is_incremental;
+  }
   // LinuxCNC reads them by the mode of the block that drills.
   if (index_.control().cycles_follow_mode) cycle_.is_r_step = cycle_.is_z_step = is_incremental;
   if (!words_.has_axes() && !words_.has('R')) {

@@ -288,7 +288,10 @@ void BlockRunner::move() {
   if (stated != nullptr) {
     const bool begins =
         stated->meaning == Meaning::cycle && (modes_.motion == nullptr || modes_.motion->meaning != Meaning::cycle);
-    if (begins) cycle_.start_mm = motion_.place().xyz.z(), cycle_.open.clear();
+    if (begins) {
+      cycle_.start_mm = motion_.place().xyz.z();
+      cycle_.open.clear();
+    }
     if (stated->meaning == Meaning::cycle && stated != modes_.motion) cycle_.r_mm = cycle_.z_mm = std::nullopt;
     modes_.motion = stated->meaning == Meaning::no_motion ? nullptr : stated;
   } else if (words_.row_of(ModalGroup::cycle_end) != nullptr) {
@@ -351,8 +354,7 @@ bool BlockRunner::is_turn_stated(std::size_t rotary, double degrees, double way_
   if (std::abs(way_deg) >= kHalfTurn_deg - kRounding_deg) return false;
   // Only an axis without ends rolls over. The way from a place that is not known is no motion that is checked.
   const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(rotary)];
-  const bool has_ends = joint.min && joint.max && !joint.is_continuous;
-  return turns != RotaryTurns::may_follow_sign || has_ends || (degrees >= 0 && !(way_deg < 0));
+  return turns != RotaryTurns::may_follow_sign || has_ends(joint) || (degrees >= 0 && !(way_deg < 0));
 }
 
 BlockRunner::Target BlockRunner::target() {

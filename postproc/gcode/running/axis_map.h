@@ -81,6 +81,9 @@ class AxisMapper {
   AxisMap at_zero_;                      // with all joints at 0
 };
 
+/// Returns whether a rotary joint has ends: it then shows every turn, and does not roll over.
+[[nodiscard]] inline bool has_ends(const Joint& joint) { return joint.min && joint.max && !joint.is_continuous; }
+
 /// Returns the error that a program turns a rotary axis that the machine does not have; null: no machine is stated.
 [[nodiscard]] Diagnostic describe_missing_axis(char letter, const Machine* machine, const std::string& file,
                                                std::size_t line);

@@ -174,11 +174,14 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
   place_ = to;
 }
 
+bool ProgramMotion::has_axis(const AxisPlace& to) const {
+  return state_.is_aligned || to.axis || (is_known(to.angles[0]) && is_known(to.angles[1]));
+}
+
 // The approach after a tool change, or at the start: no position is known yet, as before the first one of CL data. Before a
 // height is stated the tool is at that of the tool change; then the check compares the height with the parts.
 bool ProgramMotion::is_approach(MoveKind kind, const AxisPlace& to) const {
-  const bool has_axis = state_.is_aligned || to.axis || (is_known(to.angles[0]) && is_known(to.angles[1]));
-  const bool is_reached = is_complete(to.xyz) && has_axis;
+  const bool is_reached = is_complete(to.xyz) && has_axis(to);
   return kind == MoveKind::rapid && !chain_.last_pose() && !has_unknown_step_ && !is_reached;
 }
 
@@ -187,9 +190,9 @@ bool ProgramMotion::is_approach(MoveKind kind, const AxisPlace& to) const {
 void ProgramMotion::note_height(const AxisPlace& to) {
   if (!is_known(to.xyz.z())) return;
   const AxisMap& map = map_at(to);
-  const bool has_angles = state_.is_aligned || to.axis || (is_known(to.angles[0]) && is_known(to.angles[1]));
-  if (has_angles && !map.open.empty()) return;
-  if (has_angles && is_complete(to.xyz)) {
+  const bool is_axis_known = has_axis(to);
+  if (is_axis_known && !map.open.empty()) return;
+  if (is_axis_known && is_complete(to.xyz)) {
     const Vec3& axis = to.axis ? *to.axis : map.axis;
     builder_.path.approaches.push_back({line_, axis, axis.dot(map.tip(to.xyz))});
     return;
@@ -197,7 +200,7 @@ void ProgramMotion::note_height(const AxisPlace& to) {
   constexpr double kSquare = Tolerance::kExactDirection;
   const bool is_level =
       std::abs(map.axis.dot(map.linear.col(0))) < kSquare && std::abs(map.axis.dot(map.linear.col(1))) < kSquare;
-  const bool is_height = has_angles && is_level && !to.axis;
+  const bool is_height = is_axis_known && is_level && !to.axis;
   const double height = map.axis.dot(map.origin) + map.axis.dot(map.linear.col(2)) * to.xyz.z();
   builder_.path.approaches.push_back({line_, map.axis, is_height ? height : -std::numeric_limits<double>::infinity()});
 }
@@ -213,16 +216,20 @@ void ProgramMotion::note_turn(const AxisPlace& to) {
     before.not_checked_reason = lasting_text(turn_doubt_);
 }
 
+std::optional<TurnLaw> ProgramMotion::law_of_tip_control(MoveKind kind) const {
+  if (!setup_.laws || state_.tip_control != TipControl::on) return std::nullopt;
+  return kind == MoveKind::rapid ? setup_.laws->rapids : setup_.laws->feeds;
+}
+
 /// The laws joint and independent are those of joints without tool centre point control.
 bool ProgramMotion::runs_without_tip_control(MoveKind kind) const {
-  if (!setup_.laws || state_.tip_control != TipControl::on) return false;
-  return runs_joints(kind == MoveKind::rapid ? setup_.laws->rapids : setup_.laws->feeds);
+  const std::optional<TurnLaw> law = law_of_tip_control(kind);
+  return law && runs_joints(*law);
 }
 
 /// On the great circle the tool axis takes the shorter way between its ends.
 bool ProgramMotion::turns_beyond_law(MoveKind kind, const AxisPlace& to) const {
-  if (!setup_.laws || state_.tip_control != TipControl::on) return false;
-  if ((kind == MoveKind::rapid ? setup_.laws->rapids : setup_.laws->feeds) != TurnLaw::vector) return false;
+  if (law_of_tip_control(kind) != TurnLaw::vector) return false;
   constexpr double kHalfTurn_rad = std::numbers::pi - Tolerance::kExactDirection;
   const auto is_wide = [&](std::size_t k) { return std::abs(to.angles.at(k) - place_.angles.at(k)) >= kHalfTurn_rad; };
   return is_wide(0) || is_wide(1);

@@ -126,6 +126,8 @@ class ProgramMotion {
   [[nodiscard]] bool is_offset_given() const;
   /// Returns a direction of the program in the part; none: the frame in force distorts it, or is not known.
   [[nodiscard]] std::optional<Vec3> direction_in_part(const Vec3& direction);
+  /// Returns whether the work offset turns a rotary joint.
+  [[nodiscard]] bool has_turned_offset() const;
   [[nodiscard]] double angle_from_program(std::size_t rotary, double degrees) const;
   [[nodiscard]] TipControl tip_control() const { return state_.tip_control; }
   [[nodiscard]] const AxisMapper& mapper() const { return mapper_; }
@@ -165,8 +167,11 @@ class ProgramMotion {
   void settle_length();
   [[nodiscard]] std::string why_sideways() const;
   void add(Move& move, const AxisPlace& to, const Reached& reached, std::string reason);
+  [[nodiscard]] bool has_axis(const AxisPlace& to) const;
   [[nodiscard]] bool is_approach(MoveKind kind, const AxisPlace& to) const;
   void note_turn(const AxisPlace& to);
+  /// Returns the law of the check under tool centre point control; none: no law is stated, or it is not on.
+  [[nodiscard]] std::optional<TurnLaw> law_of_tip_control(MoveKind kind) const;
   [[nodiscard]] bool runs_without_tip_control(MoveKind kind) const;
   [[nodiscard]] bool turns_beyond_law(MoveKind kind, const AxisPlace& to) const;
   void leave_out(const AxisPlace& to);

@@ -33,8 +33,7 @@ void ProgramMotion::change_state(const Change& change) {
   is_map_current_ = false;
   const AxisMap& after = map_at(place_);
   Vec3& xyz = place_.xyz;
-  const bool is_standing_known = chain_.last_pose() && chain_.unknown_start() == nullptr;
-  if (is_doubtful && is_standing_known && after.open.empty() && offset_doubt.empty()) {
+  if (is_doubtful && chain_.is_start_certain() && after.open.empty() && offset_doubt.empty()) {
     xyz = after.coordinates(chain_.last_pose()->tip);
     return;
   }
@@ -104,6 +103,10 @@ void ProgramMotion::choose_offset(const std::string& name) {
     if (k && is_given) shift.at(*k) = found->second.abc_deg[letter - 'A'] * kDegree_rad;
   }
   angle_shift_ = shift;
+}
+
+bool ProgramMotion::has_turned_offset() const {
+  return mapper_.has_machine() && std::ranges::any_of(angle_shift_, [](double shift) { return std::abs(shift) > 0; });
 }
 
 double ProgramMotion::angle_from_program(std::size_t rotary, double degrees) const {
@@ -250,7 +253,7 @@ void ProgramMotion::settle_length() {
 
 void ProgramMotion::change_tool(const PathTool& tool) {
   // A change may leave the tool where it is: no motion of the machine is certain.
-  if (const std::optional<Pose>& pose = chain_.last_pose(); pose && chain_.unknown_start() == nullptr)
+  if (const std::optional<Pose>& pose = chain_.last_pose(); chain_.is_start_certain())
     builder_.path.approaches.push_back({line_, pose->axis, pose->axis.dot(pose->tip)});
   const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
   if (tool_ == kNone || !is_same(builder_.path.tools[tool_])) ++tools_loaded_;
@@ -298,8 +301,7 @@ void ProgramMotion::run_by_machine(const std::function<void()>& run) {
   settle_length();
   is_map_current_ = false;
   const AxisMap& map = map_at(place_);
-  if (map.open.empty() && chain_.last_pose() && chain_.unknown_start() == nullptr)
-    place_.xyz = map.coordinates(chain_.last_pose()->tip);
+  if (map.open.empty() && chain_.is_start_certain()) place_.xyz = map.coordinates(chain_.last_pose()->tip);
   run();
   lost_length_ = lost;
   settle_length();

@@ -119,14 +119,11 @@ std::string SiemensRunner::why_frame_open() const {
     return "a length is applied in G18 or G19, where a setting of the control states its axis";
   if (modes_.has_vector && !motion_.mapper().has_machine() && motion_.tip_control() != TipControl::on)
     return "the tool stays tilted after TRAFOOF; expected --machine";
-  const bool is_on = motion_.tip_control() == TipControl::on && motion_.mapper().has_machine();
-  const bool is_turned =
-      is_on && (std::abs(motion_.angle_from_program(0, 0)) > 0 || std::abs(motion_.angle_from_program(1, 0)) > 0);
-  const bool is_swivel_turned =
-      modes_.has_swivel && motion_.mapper().has_machine() &&
-      (std::abs(motion_.angle_from_program(0, 0)) > 0 || std::abs(motion_.angle_from_program(1, 0)) > 0);
-  if (is_swivel_turned) return "CYCLE800 with a work offset of rotary axes, whose effect machine data state";
-  if (is_turned) return "TRAORI with a work offset of rotary axes, whose effect machine data state";
+  const bool is_turned = motion_.has_turned_offset();
+  if (is_turned && modes_.has_swivel)
+    return "CYCLE800 with a work offset of rotary axes, whose effect machine data state";
+  if (is_turned && motion_.tip_control() == TipControl::on)
+    return "TRAORI with a work offset of rotary axes, whose effect machine data state";
   return {};
 }
 

@@ -145,13 +145,12 @@ double SiemensRunner::turned(const SiemensWord& word, std::size_t rotary, Target
   if (is_incremental(word)) return before + word.value * kDegree_rad;
   const double stated = motion_.angle_from_program(rotary, word.value);
   const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(rotary)];
-  const bool is_limited = joint.min && joint.max && !joint.is_continuous;
   const double way = (stated - before) / kDegree_rad;
   if (word.measure == SiemensMeasure::modal || word.measure == SiemensMeasure::absolute) {
     const bool is_sure = is_within_turn(before / kDegree_rad) && is_within_turn(stated / kDegree_rad) &&
                          std::abs(way) < kHalfTurn_deg - kRounding_deg;
     const bool stands = std::abs(way) <= kRounding_deg;
-    if (is_known(before) && !is_sure && !stands && !is_limited && !setup_.winds_as_programmed.value_or(false))
+    if (is_known(before) && !is_sure && !stands && !has_ends(joint) && !setup_.winds_as_programmed.value_or(false))
       to.open = "machine data state the way of " + word.name + " to this angle; expected --rotary-turns as-programmed";
     return stated;
   }
