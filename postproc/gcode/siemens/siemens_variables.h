@@ -13,7 +13,8 @@ enum class SiemensType : std::uint8_t { real, integer, boolean };
 
 /// The variables of a Siemens program: R parameters, and those that DEF declares.
 /// Source   Siemens, NC programming, 12/2019, 3.1.1 "User variables": DEF sets a variable to 0; a variable of a program is
-///          not known in the programs that it calls.
+///          not known in the programs that it calls. 2.2.2: leading zeros of the number of an address have no meaning, so
+///          R01 is R1.
 class SiemensVariables {
  public:
   SiemensVariables() : locals_(1) {}
@@ -37,6 +38,8 @@ class SiemensVariables {
     double value = 0;
   };
 
+  /// Returns R1 for R1, R01 and R001, and other names as they are.
+  [[nodiscard]] static std::string one_spelling(const std::string& name);
   [[nodiscard]] static double held(SiemensType type, double value);
 
   std::map<std::string, double> parameters_;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tests/postproc/gcode/siemens/siemens_program.h"
 
 // Variables, expressions, jumps, loops, repetitions and subprograms.
@@ -25,6 +27,23 @@ TEST(SiemensFlow, VariablesHaveTypes) {
   expect_at(tip_after("DEF REAL _A1=2.5, WIDE\nDEF INT COUNT\nCOUNT=3\nWIDE=_A1*COUNT\nG1 X=WIDE F100\n"), 7.5, 0, 50);
   const ReadOutcome rounded = test::read_siemens(kHead + "DEF INT COUNT\nCOUNT=2.5\nG1 X=COUNT F100\nM30\n");
   EXPECT_FALSE(test::can_be_clean(rounded));
+}
+
+TEST(SiemensFlow, LeadingZerosOfAnRParameterHaveNoMeaning) {
+  EXPECT_DOUBLE_EQ(x_after("R1=0\nR01=50\n"), 50);
+  EXPECT_DOUBLE_EQ(x_after("R001=7\n"), 7);
+  EXPECT_DOUBLE_EQ(x_after("R00=8\nR1=R0\n"), 8);
+  EXPECT_DOUBLE_EQ(x_after("R0=9\nR1=R[0]+R000\n"), 18);
+  EXPECT_DOUBLE_EQ(x_after("R1=1\nR2=0\nR02=1\nIF R2==1 GOTOF THERE\nR1=2\nTHERE: R3=0\n"), 1);
+  EXPECT_DOUBLE_EQ(x_after("R1=0\nFOR R02=1 TO 3\nR1=R1+R2\nENDFOR\n"), 6);
+  EXPECT_DOUBLE_EQ(x_after("R10=4\nR1=R010\n"), 4);
+  ProgramSetup setup;
+  setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
+    return name == "L10.SPF" ? std::optional<std::string>("R01=30\nM17\n") : std::nullopt;
+  };
+  EXPECT_DOUBLE_EQ(tip_after("R1=0\nL10\nG1 X=R1 F100\n", setup).x(), 30);
+  const auto moves = test::path_of_siemens(kHead + "R5=-6\nR05=-30\nCYCLE81(50,0,2,R5)\nM30\n").moves;
+  EXPECT_TRUE(std::ranges::any_of(moves, [](const auto& move) { return move.end.tip.z() < -29; }));
 }
 
 TEST(SiemensFlow, JumpsAndConditions) {
