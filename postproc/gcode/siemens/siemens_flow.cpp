@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lib/base/letters.h"
@@ -41,17 +42,37 @@ std::optional<int> take_times(std::string_view text) {
   return number && *number >= 1 && *number <= kMaxTimes ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
-bool begins_with_goto(std::string_view text) { return in_capitals(trim_blanks(text)).starts_with("GOTO"); }
+bool is_jump(std::string_view name) {
+  return name == "GOTO" || name == "GOTOF" || name == "GOTOB" || name == "GOTOC" || name == "GOTOS";
+}
+
+bool begins_with_jump(std::string_view text) { return is_jump(take_name(text)); }
+
+/// Returns whether a jump stands among the words of a text: "R1==1 GOTOF A", not "MYGOTO==1".
+bool has_jump(std::string_view text) {
+  while (!text.empty()) {
+    const std::string name = take_name(text);
+    if (is_jump(name)) return true;
+    if (!name.empty()) continue;
+    const std::size_t close = text[0] == '"' ? text.find('"', 1) : 0;
+    text.remove_prefix(std::min(close, text.size() - 1) + 1);
+  }
+  return false;
+}
 
 }  // namespace
 
 void SiemensRun::run_flow(const std::string& word, std::string_view rest) {
+  constexpr auto kAlone = std::to_array<std::string_view>({"ELSE", "ENDIF", "ENDWHILE", "ENDFOR", "ENDLOOP"});
+  const bool is_alone = std::ranges::find(kAlone, word) != kAlone.end();
+  if (is_alone && !trim_blanks(rest).empty()) return lose(word + " is followed by words that are not read");
   if (word == "IF") return run_if(rest);
   if (word == "ELSE") {
     const auto end = find_pair(at_, "IF", "ENDIF", true);
-    return end ? jump(*end + 1) : lose("ELSE without ENDIF");
+    return end ? jump_behind(*end) : lose("ELSE without ENDIF");
   }
-  if (word == "ENDIF" || word == "EXTERN") return;
+  if (word == "ENDIF") return;
+  if (word == "EXTERN") return declare_program(rest);
   if (word == "GOTO" || word == "GOTOF" || word == "GOTOB" || word == "GOTOC") return go_to(word, rest);
   if (word == "REPEATB" || (word == "REPEAT" && !trim_blanks(rest).empty())) return repeat(word, rest);
   if (word == "WHILE" || word == "FOR" || word == "LOOP" || word == "REPEAT") return run_loop(word, rest);
@@ -82,15 +103,29 @@ std::optional<bool> SiemensRun::condition(std::string_view& text) {
 void SiemensRun::run_if(std::string_view rest) {
   const auto holds = condition(rest);
   if (!holds) return;
-  if (begins_with_goto(rest)) {
-    const std::string word = take_name(rest);
-    if (*holds) go_to(word, rest);
-    return;
-  }
+  if (begins_with_jump(rest)) return run_conditional_jumps(*holds, rest);
   if (!trim_blanks(rest).empty()) return lose("IF is followed by words that are not read");
   if (*holds) return;
   const auto branch = find_branch();
-  return branch ? jump(*branch + 1) : lose("IF without ENDIF");
+  return branch ? jump_behind(*branch) : lose("IF without ENDIF");
+}
+
+// IF condition GOTOF A IF condition GOTOF B: the first condition that holds jumps.
+void SiemensRun::run_conditional_jumps(bool holds, std::string_view rest) {
+  while (true) {
+    const std::string word = take_name(rest), target = take_name(rest);
+    rest = trim_blanks(rest);
+    std::string_view behind = rest;
+    const bool has_next = take_name(behind) == "IF";
+    if (!is_jump(word) || target.empty() || (!rest.empty() && !has_next))
+      return lose("a jump of IF is followed by words that are not read");
+    if (holds) return go_to(word, target);
+    if (!has_next) return;
+    rest = behind;
+    const auto next = condition(rest);
+    if (!next) return;
+    holds = *next;
+  }
 }
 
 // Only an IF without a jump has an ENDIF.
@@ -98,9 +133,16 @@ std::string SiemensRun::flow_at(std::size_t index) const {
   const std::string_view line = without_comment(text_->program->line(index));
   std::string word = flow_word_of(line);
   const std::string_view rest = word.empty() ? std::string_view() : flow_rest_at(index, word);
-  if (word == "IF" && in_capitals(rest).find("GOTO") != std::string::npos) return {};
+  if (word == "IF" && has_jump(rest)) return {};
   if (word == "REPEAT" && !trim_blanks(rest).empty()) return {};
   return word;
+}
+
+// Passes the word that ends a section, which stands alone.
+void SiemensRun::jump_behind(std::size_t index) {
+  const std::string word = flow_at(index);
+  if (!flow_rest_at(index, word).empty()) return lose(word + " is followed by words that are not read");
+  jump(index + 1);
 }
 
 std::string_view SiemensRun::flow_rest_at(std::size_t index, std::string_view word) const {
@@ -153,7 +195,7 @@ void SiemensRun::run_loop(const std::string& word, std::string_view rest) {
   if (!trim_blanks(rest).empty()) return lose("WHILE is followed by words that are not read");
   if (*holds) return;
   const auto end = find_pair(at_, "WHILE", "ENDWHILE", true);
-  return end ? jump(*end + 1) : lose("WHILE without ENDWHILE");
+  return end ? jump_behind(*end) : lose("WHILE without ENDWHILE");
 }
 
 void SiemensRun::run_loop_end(const std::string& word, std::string_view rest) {
@@ -171,7 +213,9 @@ void SiemensRun::run_loop_end(const std::string& word, std::string_view rest) {
   if (word == "ENDWHILE") return jump(*begin);
   if (word == "UNTIL") {
     const auto holds = condition(rest);
-    if (!holds || *holds) return;
+    if (!holds) return;
+    if (!trim_blanks(rest).empty()) return lose("UNTIL is followed by words that are not read");
+    if (*holds) return;
   }
   jump(*begin + 1);
 }
@@ -195,7 +239,7 @@ void SiemensRun::run_for(std::string_view rest, bool is_next) {
   if (!is_known(value) || !is_known(*last)) return lose("a limit of FOR is not known");
   if (value <= *last) return jump(at_ + 1);
   const auto end = find_pair(at_, "FOR", "ENDFOR", true);
-  return end ? jump(*end + 1) : lose("FOR without ENDFOR");
+  return end ? jump_behind(*end) : lose("FOR without ENDFOR");
 }
 
 // N100 and N0100 in one file are a target that is not clear.
@@ -292,6 +336,14 @@ void SiemensRun::run_proc(std::string_view rest) {
   rest = trim_blanks(rest);
   if (rest.starts_with('(') && rest.ends_with(')') && trim_blanks(rest.substr(1, rest.size() - 2)).empty()) rest = {};
   if (name.empty() || !rest.empty()) lose("PROC with parameters or attributes");
+}
+
+// EXTERN NAME, EXTERN NAME(REAL,REAL): declares a subprogram, and does nothing else.
+void SiemensRun::declare_program(std::string_view rest) {
+  const std::string name = take_name(rest);
+  rest = trim_blanks(rest);
+  const bool has_types = rest.starts_with('(') && rest.find(')') + 1 == rest.size();
+  if (name.empty() || (!rest.empty() && !has_types)) lose("EXTERN is followed by text that is not read");
 }
 
 }  // namespace gouge

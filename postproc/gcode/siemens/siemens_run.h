@@ -66,6 +66,7 @@ class SiemensRun {
   // Statements of program flow.
   void run_flow(const std::string& word, std::string_view rest);
   void run_if(std::string_view rest);
+  void run_conditional_jumps(bool holds, std::string_view rest);
   void run_loop(const std::string& word, std::string_view rest);
   void run_loop_end(const std::string& word, std::string_view rest);
   void run_for(std::string_view rest, bool is_next);
@@ -73,6 +74,7 @@ class SiemensRun {
   void repeat(const std::string& word, std::string_view rest);
   void declare(std::string_view rest);
   void run_proc(std::string_view rest);
+  void declare_program(std::string_view rest);
   [[nodiscard]] std::optional<std::size_t> find_pair(std::size_t from, std::string_view opening,
                                                      std::string_view closing, bool is_forward) const;
   [[nodiscard]] std::optional<std::size_t> find_branch() const;
@@ -82,6 +84,7 @@ class SiemensRun {
   [[nodiscard]] static std::string one_spelling(const std::string& label);
   [[nodiscard]] std::optional<std::size_t> only_line_of(const std::string& label);
   void jump(std::size_t index);
+  void jump_behind(std::size_t index);
   [[nodiscard]] std::optional<bool> condition(std::string_view& text);
   [[nodiscard]] std::optional<double> value_of(std::string_view& text);
 

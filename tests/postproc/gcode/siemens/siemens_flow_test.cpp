@@ -55,6 +55,20 @@ TEST(SiemensFlow, JumpsAndConditions) {
   EXPECT_DOUBLE_EQ(x_after("R2=2\nR1=4\nIF NOT (R2==2)\nR1=10\nENDIF\n"), 4);
 }
 
+TEST(SiemensFlow, ConditionalJumpsOfOneBlockRunInTheirOrder) {
+  const std::string ends = "R1=3\nGOTOF OUT\nAA: R1=10\nGOTOF OUT\nBB: R1=20\nOUT: R9=0\n";
+  const std::string two = "IF R2==1 GOTOF AA IF R2==2 GOTOF BB\n";
+  EXPECT_DOUBLE_EQ(x_after("R2=1\n" + two + ends), 10);
+  EXPECT_DOUBLE_EQ(x_after("R2=2\n" + two + ends), 20);
+  EXPECT_DOUBLE_EQ(x_after("R2=3\n" + two + ends), 3);
+  EXPECT_DOUBLE_EQ(x_after("R2=3\nIF R2==1 GOTOF AA IF R2==2 GOTOF AA IF R2==3 GOTOF BB\n" + ends), 20);
+  EXPECT_DOUBLE_EQ(x_after("R2=1\nIF R2==1 GOTOF AA IF R7==2 GOTOF BB\n" + ends), 10);
+}
+
+TEST(SiemensFlow, ANameThatHoldsTheWordOfAJumpIsNoJump) {
+  EXPECT_DOUBLE_EQ(x_after("DEF INT MYGOTO\nR1=1\nIF R1==0\nIF MYGOTO==1\nR1=2\nENDIF\nELSE\nR1=3\nENDIF\n"), 3);
+}
+
 TEST(SiemensFlow, Loops) {
   EXPECT_DOUBLE_EQ(x_after("R1=0\nWHILE R1<7\nR1=R1+2\nENDWHILE\n"), 8);
   EXPECT_DOUBLE_EQ(x_after("R1=0\nFOR R2=1 TO 4\nR1=R1+R2\nENDFOR\n"), 10);
