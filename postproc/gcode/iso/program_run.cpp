@@ -145,6 +145,10 @@ void ProgramRun::call(const NextBlock& next) {
     if (!block) return lose("no block, or more than one, has the number N" + std::to_string(next.target));
     return begin_call(*text_, *block, next.times, false);
   }
+  if (may_count_repeats(next.target))
+    return lose("P of a call has more than " + std::to_string(control_.program_digits) +
+                " digits, of which the first may be a count of repeats; expected at most " +
+                std::to_string(control_.program_digits) + ", and L for repeats");
   const auto inside = main_->find_label('O', next.target, main_->begin(), main_->end(), true);
   if (inside) return begin_call(*main_, *inside, next.times, false);
   const ProgramText* const other = beside("O" + std::to_string(next.target));
@@ -157,6 +161,20 @@ void ProgramRun::call(const NextBlock& next) {
   if (!named && has_names)
     return lose("the file of program O" + std::to_string(next.target) + " holds another program");
   begin_call(*other, named.value_or(other->begin()), next.times, false);
+}
+
+// On a control whose program numbers are short, P30100 is three times O0100; so is P00030100.
+bool ProgramRun::may_count_repeats(int program) const {
+  if (control_.program_digits == 0) return false;
+  std::size_t digits = std::to_string(program).size();
+  const std::string_view line = text_->line(at_);
+  for (const GcodeWord& word : block_.words) {
+    const std::string_view written = line.substr(word.first_byte, word.last_byte - word.first_byte);
+    const bool is_expression = written.find_first_of("#[") != std::string_view::npos;
+    if (word.letter != 'P' || is_expression) continue;
+    digits = std::max(digits, static_cast<std::size_t>(std::ranges::count_if(written, is_digit)));
+  }
+  return digits > control_.program_digits;
 }
 
 void ProgramRun::begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals) {

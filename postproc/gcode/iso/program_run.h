@@ -54,6 +54,7 @@ class ProgramRun {
   void lose_at_system_variable(const std::vector<GcodeAssignment>& assignments);
   void assign(const std::vector<GcodeAssignment>& assignments);
   void call(const NextBlock& next);
+  [[nodiscard]] bool may_count_repeats(int program) const;
   void begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals);
   void end_call();
   const ProgramText* beside(const std::string& name);

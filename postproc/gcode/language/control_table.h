@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -148,6 +149,7 @@ struct ControlTable {
       false;  ///< G0 without tool centre point control is coordinated; else a parameter states it
   bool takes_rapids_to_machine_places = false;  ///< G53 is a rapid whatever motion code is in force
   bool turns_along_arcs = false;                ///< rotary joints may turn along an arc, evenly with it
+  std::size_t program_digits = 0;  ///< digits of P of a call before these may be its repeats; 0: they never are
   std::string_view source;
 };
 

@@ -198,6 +198,17 @@ TEST(GcodeWords, OfAFileBesideAreThoseOfTheCalledProgram) {
   }
 }
 
+// On a control with program numbers of four digits, P30100 is three times O0100.
+TEST(GcodeWords, OfACallMayCountItsRepeatsOnFanuc) {
+  const std::string subs = "O100\nG91 G1 X1. F9.\nG90\nM99\nO30100\nG1 X7. F9.\nM99\n";
+  for (const char* call : {"M98 P30100", "M98 P00030100", "M98 P00000100", "M98 P00100", "M98 P30100.",
+                           "M98 P[30000+100]", "#1=30100\nM98 P#1", "M98 P30100 L2"})
+    expect_open("O1\n" + program(std::string(call) + "\n") + subs, "fanuc", "more than 4 digits");
+  for (const char* call : {"M98 P100", "M98 P0100", "M98 P 0100", "M98 P[50+50]", "#101=100\nM98 P#101"})
+    expect_tip(path_of_program("O1\n" + program(std::string(call) + "\n") + subs, "fanuc").moves.back(), 1, 0, 80);
+  expect_tip(path_of_program("O1\n" + program("M98 P30100\n") + subs, "haas").moves.back(), 7, 0, 80);
+}
+
 TEST(GcodeWords, InCommentsAreStatementsOfPythonOnLinuxcnc) {
   for (const char* comment : {";py,self.execute(\"g1 x10\")", "(py,x=1)", "; PYRUN,f", ";pyreload"})
     expect_open(program(std::string(comment) + "\nG1 X5. F9.\n"), "linuxcnc", "Python");
