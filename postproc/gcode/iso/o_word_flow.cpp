@@ -12,30 +12,63 @@ namespace {
 
 constexpr int kMaxArguments = 30;
 
-/// Takes the label behind the O: "100" or "<name>"; empty: it is computed, or none.
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Returns the number of a label without its leading zeros: the interpreter takes o01, o1 and o<1> for one.
+std::string one_spelling(std::string digits) {
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  return digits;
+}
+
+/// Takes the label behind the O: "100" or "<name>"; empty: it is computed, or none. Blanks in it have no meaning.
 std::string take_label(std::string_view& text) {
   text = trim_blanks(text);
+  const bool has_name = text.starts_with('<');
   std::size_t end = 0;
-  if (text.starts_with('<')) {
+  if (has_name) {
     end = text.find('>');
     if (end == std::string_view::npos) return {};
     ++end;
   } else {
-    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+    while (end < text.size() && (is_digit(text[end]) || is_blank(text[end]))) ++end;
   }
   std::string label = in_small_letters(text.substr(0, end));
-  std::erase(label, ' ');
+  std::erase_if(label, is_blank);
   text = trim_blanks(text.substr(end));
-  return label;
+  if (!has_name) return label.empty() ? label : one_spelling(std::move(label));
+  const std::string name = label.substr(1, label.size() - 2);
+  const bool is_number = !name.empty() && std::ranges::all_of(name, is_digit) && one_spelling(name) == name;
+  return is_number ? name : label;
 }
 
+/// Takes the word behind the label. Blanks in it have no meaning.
 std::string take_keyword(std::string_view& text) {
-  text = trim_blanks(text);
+  std::string word;
   std::size_t end = 0;
-  const std::string all = in_small_letters(text);
-  while (end < all.size() && is_small(all[end])) ++end;
+  for (; end < text.size() && (is_letter(text[end]) || is_blank(text[end])); ++end)
+    if (!is_blank(text[end])) word += text[end];
   text = trim_blanks(text.substr(end));
-  return all.substr(0, end);
+  return in_small_letters(word);
+}
+
+struct OWord {
+  std::string label, word;  ///< empty: the line has no O-word
+};
+
+/// Returns the O-word with which a line begins, behind its number and the mark for block delete.
+OWord o_word_of(std::string_view line) {
+  line = trim_blanks(line);
+  if (line.starts_with('/')) line = trim_blanks(line.substr(1));
+  if (line.starts_with('N') || line.starts_with('n')) {
+    line = line.substr(1);
+    while (!line.empty() && (is_blank(line[0]) || is_digit(line[0]))) line = line.substr(1);
+  }
+  if (!line.starts_with('o') && !line.starts_with('O')) return {};
+  line = line.substr(1);
+  OWord found;
+  found.label = take_label(line);
+  found.word = take_keyword(line);
+  return found;
 }
 
 bool is_among(std::string_view word, std::string_view words) {
@@ -57,14 +90,8 @@ bool is_rest_empty(std::string_view rest) {
 
 // Returns the O-word of a line that has this label; empty: it has none.
 std::string ProgramRun::o_word_at(std::size_t index, const std::string& label) const {
-  std::string_view line = trim_blanks(text_->line(index));
-  if (line.starts_with('N') || line.starts_with('n')) {
-    line = line.substr(1);
-    while (!line.empty() && (line[0] == ' ' || (line[0] >= '0' && line[0] <= '9'))) line = line.substr(1);
-  }
-  if (!line.starts_with('o') && !line.starts_with('O')) return {};
-  line = line.substr(1);
-  return take_label(line) == label ? take_keyword(line) : std::string();
+  OWord found = o_word_of(text_->line(index));
+  return found.label == label ? std::move(found.word) : std::string();
 }
 
 std::optional<std::size_t> ProgramRun::find_o_word(const std::string& label, std::string_view words,
@@ -85,20 +112,86 @@ void ProgramRun::run_o_word(std::string_view flow) {
   const std::string word = take_keyword(rest);
   if (label.empty()) return lose("the label of an O-word is not read");
   if (word == "sub") {
-    const auto end = find_o_word(label, "endsub", true);
-    if (!end || !is_rest_empty(rest)) return lose("O" + label + " sub has no endsub");
-    next_ = *end + 1;
+    define_sub(label, rest);
   } else if (word == "call") {
     call_o_word(label, rest);
   } else if (word == "endsub" || word == "return") {
     if (!is_rest_empty(rest)) return lose("a value that a subprogram returns is not read");
-    if (calls_.empty()) return lose("O" + label + " " + word + " outside of its subprogram");
+    if (calls_.empty() || calls_.back().label != label)
+      return lose("O" + label + " " + word + " outside of its subprogram");
+    if (has_open_repeat())
+      return lose("O" + label + " " + word +
+                  " leaves a repeat, whose count then stays; expected to leave it at its end");
     end_call();
   } else if (is_among(word, "if elseif else endif")) {
     run_o_condition(label, word, rest);
   } else {
     run_o_loop(label, word, rest);
   }
+}
+
+// Jumps within a subprogram. The interpreter keeps the count of a repeat that a jump leaves.
+void ProgramRun::jump_to(std::size_t index) {
+  if (has_open_repeat() && (index <= loops_.back().begin || index > loops_.back().end))
+    return lose("a jump leaves the repeat O" + loops_.back().label +
+                ", whose count then stays; expected to leave it at its end");
+  next_ = index;
+}
+
+bool ProgramRun::has_open_repeat() const { return !loops_.empty() && loops_.back().depth == calls_.size(); }
+
+// A subprogram is known from here on. Its blocks run where it is called.
+void ProgramRun::define_sub(const std::string& label, std::string_view rest) {
+  const auto end = find_o_word(label, "endsub", true);
+  if (!end || !is_rest_empty(rest)) return lose("O" + label + " sub has no endsub");
+  if (!calls_.empty() || is_in_structure(at_))
+    return lose("O" + label + " sub stands in a subprogram, a loop or a condition; expected it outside of them");
+  if (!subs_.try_emplace(label, Sub{text_, at_ + 1}).second)
+    return lose("O" + label + " sub is already defined where the program runs over it");
+  jump_to(*end + 1);
+}
+
+// Returns whether a condition or a loop is open at a line.
+bool ProgramRun::is_in_structure(std::size_t index) const {
+  std::vector<OWord> open;
+  for (std::size_t i = text_->begin(); i < index; ++i) {
+    const OWord one = o_word_of(text_->line(i));
+    const auto is_pair = [&](const OWord& other) { return other.label == one.label; };
+    const auto pair = std::find_if(open.rbegin(), open.rend(), is_pair);
+    const bool ends_do = one.word == "while" && pair != open.rend() && pair->word == "do";
+    const bool ends = ends_do || is_among(one.word, "endif endwhile endrepeat endsub");
+    if (ends && pair != open.rend()) open.erase(std::next(pair).base());
+    if (!ends && is_among(one.word, "if while repeat do sub")) open.push_back(one);
+  }
+  return !open.empty();
+}
+
+// The order of the interpreter: a subprogram that is defined, a file of its name, a subprogram behind the call.
+// Source: src/emc/rs274ngc/interp_o_word.cc, control_back_to.
+std::optional<ProgramRun::Sub> ProgramRun::find_sub(const std::string& label) {
+  if (const auto known = subs_.find(label); known != subs_.end()) return known->second;
+  const auto behind = find_o_word(label, "sub", true);
+  const std::string name = label.starts_with('<') ? label.substr(1, label.size() - 2) : label;
+  const ProgramText* const other = beside(name + ".ngc");
+  if (behind && other != nullptr) {
+    lose("O" + label + " is called before its sub, and " + name +
+         ".ngc is beside the file; expected the sub before the call, or one of both");
+    return std::nullopt;
+  }
+  const ProgramText* const before = std::exchange(text_, other != nullptr ? other : text_);
+  std::optional<std::size_t> line = behind;
+  for (std::size_t i = text_->begin(); other != nullptr && i < text_->end() && !line; ++i)
+    if (o_word_at(i, label) == "sub") line = i;
+  const bool is_nested = line && is_in_structure(*line);
+  const Sub found{text_, line.value_or(0) + 1};
+  text_ = before;
+  if (!line)
+    lose("subprogram O" + label + " is not defined before its call, nor behind it in its file, nor in " + name +
+         ".ngc beside the file");
+  else if (is_nested)
+    lose("O" + label + " sub stands in a subprogram, a loop or a condition; expected it outside of them");
+  if (!line || is_nested) return std::nullopt;
+  return subs_.try_emplace(label, found).first->second;
 }
 
 void ProgramRun::call_o_word(const std::string& label, std::string_view arguments) {
@@ -109,27 +202,29 @@ void ProgramRun::call_o_word(const std::string& label, std::string_view argument
     arguments = trim_blanks(arguments);
   }
   if (!is_rest_empty(arguments)) return lose("the call of O" + label + " is not read");
-  const ProgramText* text = nullptr;
-  std::optional<std::size_t> begin;
-  const auto find_in = [&](const ProgramText& in) {
-    const ProgramText* const before = std::exchange(text_, &in);
-    for (std::size_t i = in.begin(); i < in.end() && !begin; ++i)
-      if (o_word_at(i, label) == "sub") begin = i + 1;
-    text_ = before;
-    if (begin) text = &in;
-  };
-  find_in(*text_);
-  if (!begin && text_ != main_) find_in(*main_);
-  if (!begin) {
-    std::string name = label.starts_with('<') ? label.substr(1, label.size() - 2) : label;
-    if (const ProgramText* const other = beside(name + ".ngc")) find_in(*other);
-  }
-  if (!begin) return lose("subprogram O" + label + " is neither in the file nor beside it");
-  begin_call(*text, *begin, 1, true);
+  const auto sub = find_sub(label);
+  if (!sub) return;
+  begin_call(*sub->text, sub->begin, 1, true);
   if (motion_.is_rest_unknown()) return;
+  calls_.back().label = label;
   variables_.begin_call();
   for (std::size_t k = 0; k < kMaxArguments; ++k)
     variables_.set(std::to_string(k + 1), k < values.size() ? values[k] : 0, false);
+}
+
+// Returns whether a text that may have run holds a break. The interpreter notes a break, also one that it skips over, and
+// ends the next do loop by it.
+bool ProgramRun::may_have_broken() {
+  const auto has_break = [](const ProgramText& text) {
+    for (std::size_t i = text.begin(); i < text.end(); ++i)
+      if (o_word_of(text.line(i)).word == "break") return true;
+    return false;
+  };
+  if (searched_texts_ == besides_.size() + 1) return has_break_;
+  searched_texts_ = besides_.size() + 1;
+  has_break_ =
+      has_break(*main_) || std::ranges::any_of(besides_, [&](const auto& one) { return has_break(one.second.text()); });
+  return has_break_;
 }
 
 void ProgramRun::run_o_loop(const std::string& label, const std::string& word, std::string_view rest) {
@@ -141,24 +236,25 @@ void ProgramRun::run_o_loop(const std::string& label, const std::string& word, s
     if (!holds) return;
     if (!is_rest_empty(rest)) return lose("text after the condition of O" + label);
     if (is_end_of_do) {
-      if (*holds) next_ = *begin + 1;
+      if (*holds && may_have_broken())
+        return lose("O" + label +
+                    " do in a program with a break, which may end the loop after one pass; expected a "
+                    "loop of while and endwhile");
+      if (*holds) jump_to(*begin + 1);
       return;
     }
     const auto end = find_o_word(label, "endwhile", true);
     if (!end) return lose("O" + label + " while has no endwhile");
-    if (!*holds) next_ = *end + 1;
+    if (!*holds) jump_to(*end + 1);
     return;
   }
   if (word == "endwhile" || word == "endrepeat") {
     const auto begin = find_o_word(label, word == "endwhile" ? "while" : "repeat", false);
     if (!begin || !is_rest_empty(rest)) return lose("O" + label + " " + word + " has no beginning");
-    if (word == "endwhile") {
-      next_ = *begin;
-      return;
-    }
+    if (word == "endwhile") return jump_to(*begin);
     if (!loops_.empty() && loops_.back().label == label && loops_.back().depth == calls_.size()) {
       if (--loops_.back().left > 0)
-        next_ = *begin + 1;
+        jump_to(*begin + 1);
       else
         loops_.pop_back();
       return;
@@ -170,19 +266,20 @@ void ProgramRun::run_o_loop(const std::string& label, const std::string& word, s
     const auto end = find_o_word(label, "endrepeat", true);
     if (!end || !is_known(times) || !is_rest_empty(rest)) return lose("O" + label + " repeat is not read");
     const double passes = std::round(times);  // as the interpreter does: to the nearest
-    if (passes < 1) {
-      next_ = *end + 1;
-      return;
-    }
-    loops_.push_back({label, calls_.size(), static_cast<long long>(std::min(passes, 1e9))});
+    const bool runs_already = std::ranges::any_of(loops_, [&](const Loop& loop) {
+      return loop.label == label && (loop.depth == calls_.size() || (loop.text == text_ && loop.begin == at_));
+    });
+    if (runs_already)
+      return lose("O" + label + " repeat runs within itself, and both have one count; expected other labels");
+    if (passes < 1) return jump_to(*end + 1);
+    loops_.push_back({label, text_, at_, *end, calls_.size(), static_cast<long long>(std::min(passes, 1e9))});
     return;
   }
   if ((word == "break" || word == "continue") && is_rest_empty(rest)) {
     const auto end = find_o_word(label, "endwhile", true);
     if (!end || o_word_at(find_o_word(label, "do while repeat", false).value_or(at_), label) != "while")
       return lose("O" + label + " " + word + " is read in loops of while alone");
-    next_ = word == "break" ? *end + 1 : *end;
-    return;
+    return jump_to(word == "break" ? *end + 1 : *end);
   }
   lose("the O-word '" + word + "' is not read");
 }
@@ -195,27 +292,20 @@ void ProgramRun::run_o_condition(const std::string& label, const std::string& wo
   if (word != "if") {  // reached from the branch before it, which ran
     const auto end = find_o_word(label, "endif", true);
     if (!end) return lose("O" + label + " " + word + " has no endif");
-    next_ = *end + 1;
-    return;
+    return jump_to(*end + 1);
   }
   std::size_t branch = at_;
   while (true) {
     const auto holds = condition(rest);
     if (!holds) return;
     if (!is_rest_empty(rest)) return lose("text after the condition of O" + label);
-    if (*holds) {
-      next_ = branch + 1;
-      return;
-    }
+    if (*holds) return jump_to(branch + 1);
     const std::size_t before = std::exchange(at_, branch);
     const auto following = find_o_word(label, "elseif else endif", true);
     at_ = before;
     if (!following) return lose("O" + label + " if has no endif");
     branch = *following;
-    if (o_word_at(branch, label) != "elseif") {
-      next_ = branch + 1;
-      return;
-    }
+    if (o_word_at(branch, label) != "elseif") return jump_to(branch + 1);
     const std::string_view line = text_->line(branch);
     rest = line.substr(std::min(line.find('['), line.size()));
   }

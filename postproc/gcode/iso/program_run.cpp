@@ -43,6 +43,7 @@ void ProgramRun::run(const ProgressCall& progress, const std::string& file) {
   for (std::size_t steps = 0; !has_ended_ && !runner_.error(); ++steps) {
     if (next_ >= text_->end()) {
       if (calls_.empty()) break;
+      if (calls_.back().has_locals) lose("the file ends within subprogram O" + calls_.back().label);
       end_call();  // a program beside the file may end without a word
       continue;
     }
@@ -179,7 +180,7 @@ bool ProgramRun::may_count_repeats(int program) const {
 
 void ProgramRun::begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals) {
   if (calls_.size() >= kMaxCalls) return lose("programs call each other without an end");
-  calls_.push_back({text_, next_, begin, times, has_locals});
+  calls_.push_back({text_, next_, begin, times, has_locals, {}});
   // A call returns to the file it came from, at the block after it.
   text_ = &text;
   next_ = begin;

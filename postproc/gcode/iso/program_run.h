@@ -39,11 +39,20 @@ class ProgramRun {
     std::size_t back = 0, begin = 0;
     int times = 1;
     bool has_locals = false;
+    std::string label = {};  ///< of a subprogram of LinuxCNC
   };
+  /// A repeat of LinuxCNC that runs.
   struct Loop {
     std::string label;
+    const ProgramText* text = nullptr;
+    std::size_t begin = 0, end = 0;  ///< lines of repeat and endrepeat
     std::size_t depth = 0;
     long long left = 0;
+  };
+  /// The first block of a subprogram of LinuxCNC.
+  struct Sub {
+    const ProgramText* text = nullptr;
+    std::size_t begin = 0;
   };
 
   void run_block();
@@ -68,7 +77,13 @@ class ProgramRun {
   void end_loop(int number);
   // LinuxCNC's O-words.
   void run_o_word(std::string_view flow);
+  void define_sub(const std::string& label, std::string_view rest);
+  [[nodiscard]] std::optional<Sub> find_sub(const std::string& label);
+  [[nodiscard]] bool is_in_structure(std::size_t index) const;
   void call_o_word(const std::string& label, std::string_view arguments);
+  [[nodiscard]] bool has_open_repeat() const;
+  void jump_to(std::size_t index);
+  [[nodiscard]] bool may_have_broken();
   void run_o_loop(const std::string& label, const std::string& word, std::string_view rest);
   void run_o_condition(const std::string& label, const std::string& word, std::string_view rest);
   [[nodiscard]] std::optional<std::size_t> find_o_word(const std::string& label, std::string_view words,
@@ -90,6 +105,9 @@ class ProgramRun {
   std::size_t main_at_ = 0;        // the block of the file that runs, or calls
   std::vector<Call> calls_;
   std::vector<Loop> loops_;
+  std::map<std::string, Sub> subs_;  // defined by what has run, by their labels
+  std::size_t searched_texts_ = 0;   // for a break
+  bool has_break_ = false;
   std::map<std::string, StoredProgram> besides_;
   std::size_t end_line_ = 0;
   bool has_ended_ = false, begins_again_ = false;

@@ -171,7 +171,7 @@ TEST(GcodeTraps, T15_TurnsBeyondHalfATurn) {
 
 TEST(GcodeTraps, T16_LoopsWithoutAnEndAndUnknownSubprograms) {
   expect_open("G21 G90 G0 X0 Y0 Z0\no10 while [1]\n#1=5\no10 endwhile\nM2\n", "linuxcnc", "a loop may have no end");
-  expect_open("G21 G90 G0 X0 Y0 Z0\no<gone> call\nG1 X1 F9\nM2\n", "linuxcnc", "neither in the file nor beside it");
+  expect_open("G21 G90 G0 X0 Y0 Z0\no<gone> call\nG1 X1 F9\nM2\n", "linuxcnc", "is not defined before its call");
   expect_open("G21 G90 G0 X0 Y0 Z0\no#1 call\nG1 X1 F9\nM2\n", "linuxcnc", "label");
   expect_open("G21 G90 G0 X0 Y0 Z0\no1 if [#<_hal[a.b]>]\nG1 X1 F9\no1 endif\nM2\n", "linuxcnc", "");
   expect_open(fanuc("M98 P77\nG1 X5. F9.\n"), "fanuc", "O77");
