@@ -31,6 +31,7 @@ struct SiemensWord {
   std::string text;              ///< of a string: T="MILL 8"; of L its digits, as their zeros count: L010
   SiemensMeasure measure = SiemensMeasure::modal;
   std::vector<SiemensArgument> arguments;  ///< of Form::call
+  std::vector<std::string> variables;      ///< in its arguments: "R1"; "R": one that an index states
 };
 
 struct SiemensAssignment {

@@ -13,9 +13,21 @@ void SiemensRunner::take_cycle() {
   if (words_.code(SiemensMeaning::modal_call) != nullptr) {
     if (cycle == nullptr && words_.codes().size() > 1) return lose_rest("MCALL calls a word that is no cycle", line_);
     modes_.modal_cycle = cycle == nullptr ? std::nullopt : std::optional(*cycle->word);
+    modes_.open_modal_cycle.clear();
     return;
   }
   if (cycle != nullptr) drill(*cycle->word);
+}
+
+// No manual at hand states whether the cycle takes a variable at MCALL or at each of its runs.
+void SiemensRunner::note_change(const std::string& variable, std::size_t line) {
+  if (!modes_.modal_cycle) return;
+  const std::vector<std::string>& used = modes_.modal_cycle->variables;
+  const bool is_used = std::ranges::any_of(
+      used, [&](const std::string& one) { return one == variable || (one == "R" && is_r_parameter(variable)); });
+  if (is_used)
+    modes_.open_modal_cycle = variable + ", an argument of MCALL " + modes_.modal_cycle->name + ", changes in line " +
+                              std::to_string(line) + " before the cycle runs";
 }
 
 void SiemensRunner::drill(const SiemensWord& cycle) {

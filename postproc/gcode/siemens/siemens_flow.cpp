@@ -234,7 +234,7 @@ void SiemensRun::run_for(std::string_view rest, bool is_next) {
   if (!trim_blanks(rest).empty()) return lose("FOR is followed by words that are not read");
   const auto limit = limits_.insert_or_assign({text_, at_}, is_next ? limits_[{text_, at_}] : *last).first;
   if (std::abs(limit->second - *last) > 0) return lose("a limit of FOR changes within its loop");
-  variables_.set(name, is_next ? variables_.value(name) + 1 : *first);
+  set(name, is_next ? variables_.value(name) + 1 : *first);
   const double value = variables_.value(name);
   if (!is_known(value) || !is_known(*last)) return lose("a limit of FOR is not known");
   if (value <= *last) return jump(at_ + 1);

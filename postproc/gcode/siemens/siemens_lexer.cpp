@@ -156,12 +156,25 @@ class SiemensLexer {
       return;
     }
     while (c_.error.empty()) {
+      const std::size_t begin = c_.at;
       word.arguments.push_back(read_argument());
+      note_variables(c_.text.substr(begin, std::min(c_.at, c_.text.size()) - begin), word);
       c_.skip_blanks();
       const char c = c_.peek();
       if (c == ')' || c == ',') ++c_.at;
       if (c == ')') return;
       if (c != ',') c_.fail("the arguments of " + word.name + " are not read");
+    }
+  }
+
+  // Notes the variables of an argument, and "R" for R[..].
+  void note_variables(std::string_view argument, SiemensWord& word) const {
+    if (argument.find('"') != std::string_view::npos) return;
+    while (!argument.empty()) {
+      const std::size_t length = siemens_name_length(argument);
+      const std::string name = in_capitals(argument.substr(0, length));
+      if (name == "R" || variables_.has(name)) word.variables.push_back(SiemensVariables::one_spelling(name));
+      argument.remove_prefix(std::max<std::size_t>(length, 1));
     }
   }
 

@@ -46,6 +46,8 @@ void SiemensRunner::move() {
   else
     move_to_target(kind);
   if (error_ || !modes_.modal_cycle) return;
+  if (words_.has_path_axes() && !modes_.open_modal_cycle.empty())
+    return lose_rest(modes_.open_modal_cycle + "; expected MCALL with the new value", line_);
   if (words_.has_path_axes()) return drill(*modes_.modal_cycle);
   motion_.go_unchecked(MoveKind::feed, AxisPlace{}, "MCALL is in force, and rotary axes alone move");
 }

@@ -1,6 +1,7 @@
 #include "postproc/gcode/siemens/siemens_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
@@ -63,9 +64,37 @@ void SiemensRun::run_block() {
     const std::string rest(block_.flow_rest);
     return run_flow(word, rest);
   }
+  find_replaced_cycle();
   const SiemensNext next = runner_.run(block_, main_->number(main_at_));
-  for (const SiemensAssignment& one : block_.assignments) variables_.set(one.variable, one.value);
+  for (const SiemensAssignment& one : block_.assignments) set(one.variable, one.value);
   follow(next);
+}
+
+void SiemensRun::set(const std::string& variable, double value) {
+  const double before = variables_.value(variable);
+  variables_.set(variable, value);
+  const bool is_same = std::abs(variables_.value(variable) - before) <= 0;
+  if (!is_same) runner_.note_change(SiemensVariables::one_spelling(variable), main_->number(main_at_));
+}
+
+// Source: NC programming, 12/2019, p. 559: the folder of the program comes before that of the cycles.
+void SiemensRun::find_replaced_cycle() {
+  if (input_.motion.is_rest_unknown()) return;
+  for (const SiemensWord& word : block_.words) {
+    const SiemensRow* const row = word.form == SiemensWord::Form::number ? nullptr : find_siemens_row(word.name);
+    const bool is_cycle =
+        row != nullptr && (row->meaning == SiemensMeaning::drill || row->meaning == SiemensMeaning::swivel ||
+                           row->meaning == SiemensMeaning::smoothing);
+    if (!is_cycle) continue;
+    auto known = replaced_.find(word.name);
+    if (known == replaced_.end()) {
+      const bool is_there = !texts_beside(word.name, "SPF").empty() || !texts_beside(word.name, "MPF").empty();
+      known = replaced_.emplace(word.name, is_there || holds_program(word.name)).first;
+    }
+    if (known->second)
+      return lose("a program called " + word.name +
+                  " is beside the file, and may run in place of the cycle; expected no program of that name");
+  }
 }
 
 bool SiemensRun::is_left_out(bool is_skippable, bool is_empty) {
@@ -114,6 +143,7 @@ void SiemensRun::call(const SiemensNext& next) {
     return lose("the file itself holds " + next.program +
                 ", and programs of archives are not read; expected a file each");
   Text* const text = beside(next.program);
+  if (input_.motion.is_rest_unknown()) return;
   if (text == nullptr)
     return lose(next.program + " is not in the table of Siemens 840D, and no program of that name is beside the file");
   begin_call(*text, text->program->begin(), std::numeric_limits<std::size_t>::max(), next.times, false);
@@ -141,14 +171,28 @@ void SiemensRun::end_call() {
   calls_.pop_back();
 }
 
+// The control has no small letters in the names of programs. Files that differ are several programs.
+std::vector<std::string> SiemensRun::texts_beside(const std::string& name, const std::string& ending) const {
+  std::vector<std::string> texts;
+  if (!input_.options.setup.read_beside) return texts;
+  for (const std::string& one : {name, in_small_letters(name)})
+    for (const std::string& end : {ending, in_small_letters(ending)}) {
+      std::optional<std::string> bytes = input_.options.setup.read_beside(one + "." + end);
+      if (bytes && std::ranges::find(texts, *bytes) == texts.end()) texts.push_back(std::move(*bytes));
+    }
+  return texts;
+}
+
 SiemensRun::Text* SiemensRun::beside(const std::string& name) {
   if (const auto known = besides_.find(name); known != besides_.end()) return &known->second.text;
-  if (!input_.options.setup.read_beside) return nullptr;
-  std::optional<std::string> bytes;
-  for (const char* end : {".SPF", ".spf", ".MPF", ".mpf"})
-    if (!bytes) bytes = input_.options.setup.read_beside(name + end);
-  if (!bytes || holds_other_program(*bytes, name)) return nullptr;
-  return &besides_.try_emplace(name, std::move(*bytes)).first->second.text;
+  std::vector<std::string> texts = texts_beside(name, "SPF");
+  if (texts.empty()) texts = texts_beside(name, "MPF");
+  if (texts.size() > 1) {
+    lose("several files beside the program are called " + name + ", with capitals and small letters; expected one");
+    return nullptr;
+  }
+  if (texts.empty() || holds_other_program(texts.front(), name)) return nullptr;
+  return &besides_.try_emplace(name, std::move(texts.front())).first->second.text;
 }
 
 }  // namespace gouge

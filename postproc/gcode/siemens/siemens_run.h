@@ -58,8 +58,11 @@ class SiemensRun {
   [[nodiscard]] static bool holds_other_program(std::string_view bytes, const std::string& name);
   [[nodiscard]] bool holds_program(const std::string& name) const;
   void call(const SiemensNext& next);
+  void set(const std::string& variable, double value);
+  void find_replaced_cycle();
   void begin_call(Text& text, std::size_t begin, std::size_t end, int times, bool is_section);
   void end_call();
+  [[nodiscard]] std::vector<std::string> texts_beside(const std::string& name, const std::string& ending) const;
   [[nodiscard]] Text* beside(const std::string& name);
   void lose(const std::string& reason);
 
@@ -99,6 +102,7 @@ class SiemensRun {
   std::size_t main_at_ = 0;        // the block of the file that runs, or calls
   std::vector<Call> calls_;
   std::map<std::string, BesideText> besides_;
+  std::map<std::string, bool> replaced_;                          // by cycle: whether a program of its name is there
   std::map<std::pair<const Text*, std::size_t>, double> limits_;  // of FOR, by its line
   std::size_t end_line_ = 0;
   bool has_ended_ = false;

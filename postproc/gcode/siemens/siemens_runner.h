@@ -59,6 +59,7 @@ struct SiemensModes {
   std::string open_length = "nothing states D before this block; expected --start D1 or D0";
   std::optional<SiemensWord> next_tool;
   std::optional<SiemensWord> modal_cycle;  ///< of MCALL
+  std::string open_modal_cycle;            ///< why its arguments are not known any more; empty: they are
   std::array<bool, 2> is_turn_open{};      ///< of rotary joints: DC, ACP or ACN took them beyond a turn, counted or not
   Vec3 is_moved = Vec3::Zero();  ///< 1: the frame or the length changed after the last absolute word of the axis
 };
@@ -74,6 +75,8 @@ class SiemensRunner {
   /// follows, with its line.
   SiemensNext run(const SiemensBlock& block, std::size_t line);
   void lose_rest(const std::string& reason, std::size_t line);
+  /// States that a variable, such as R1, has another value from here on.
+  void note_change(const std::string& variable, std::size_t line);
 
   [[nodiscard]] std::size_t unit_line() const { return unit_line_; }
   [[nodiscard]] std::size_t offset_line() const { return offset_line_; }

@@ -28,6 +28,9 @@ class SiemensVariables {
   /// Declares a variable; false: its name is taken.
   [[nodiscard]] bool declare(const std::string& name, SiemensType type, double value);
 
+  /// Returns R1 for R1, R01 and R001, and other names as they are.
+  [[nodiscard]] static std::string one_spelling(const std::string& name);
+
   void begin_call() { locals_.emplace_back(); }
   /// Ends a subprogram. Requires begin_call before it.
   void end_call() { locals_.pop_back(); }
@@ -38,8 +41,6 @@ class SiemensVariables {
     double value = 0;
   };
 
-  /// Returns R1 for R1, R01 and R001, and other names as they are.
-  [[nodiscard]] static std::string one_spelling(const std::string& name);
   [[nodiscard]] static double held(SiemensType type, double value);
 
   std::map<std::string, double> parameters_;

@@ -54,6 +54,13 @@ inline Vec3 tip_after(const std::string& blocks, ProgramSetup setup = {}) {
   return outcome.toolpath->moves.back().end.tip;
 }
 
+/// Expects that blocks after the head are not clean, for a reason that contains `reason`.
+inline void expect_open(const std::string& blocks, const std::string& reason, ProgramSetup setup = {}) {
+  const ReadOutcome outcome = read_siemens(kHead + blocks + "\nM30\n", std::move(setup));
+  EXPECT_FALSE(can_be_clean(outcome)) << blocks;
+  EXPECT_NE(reasons_of(outcome).find(reason), std::string::npos) << blocks << "\n" << reasons_of(outcome);
+}
+
 inline void expect_at(const Vec3& tip, double x, double y, double z, double within = 1e-9) {
   EXPECT_NEAR((tip - Vec3(x, y, z)).norm(), 0, within) << tip.transpose();
 }

@@ -5,15 +5,9 @@
 namespace gouge {
 namespace {
 
+using test::expect_open;
 using test::full_setup;
 using test::kHead;
-
-/// Expects that blocks after the head are not clean, for a reason that contains `reason`.
-void expect_open(const std::string& blocks, const std::string& reason, ProgramSetup setup = {}) {
-  const ReadOutcome outcome = test::read_siemens(kHead + blocks + "\nM30\n", std::move(setup));
-  EXPECT_FALSE(test::can_be_clean(outcome)) << blocks;
-  EXPECT_NE(test::reasons_of(outcome).find(reason), std::string::npos) << blocks << "\n" << test::reasons_of(outcome);
-}
 
 TEST(SiemensTraps, WordsWithoutARowEndTheKnowledge) {
   for (const char* block : {"G58 X1",
@@ -299,35 +293,6 @@ TEST(SiemensTraps, TheEndOfAProgramInASubprogram) {
   setup.read_beside = [](const std::string&) { return std::optional<std::string>("G1 X5 F100\nM30\n"); };
   expect_open("L5\nG1 X1 F100", "in a subprogram", setup);
   expect_open("R2=3\nFOR R1=1 TO R2\nR2=5\nENDFOR\nG1 X1 F100", "a limit of FOR changes");
-}
-
-TEST(SiemensTraps, WordsBehindAConditionalJump) {
-  const std::string reason = "a jump of IF is followed by words that are not read";
-  const std::string end = "\nG1 X1 F100\nAA: X2\nBB: X3";
-  for (const char* behind : {"GOTOF BB", "X50", "R2=1", "WAIT", "M0", "GOTOF"})
-    expect_open(std::string("R1=0\nIF R1==1 GOTOF AA ") + behind + end, reason);
-  expect_open("R1=0\nIF R1==1 GOTOF AA IF R1==0 X5" + end, reason);
-  expect_open("R1=0\nIF R1==1 GOTOF AA IF R7==2 GOTOF BB" + end, "a condition whose value is not known");
-  expect_open("R1=1\nIF R1==1 GOTOF AA X50" + end, reason);
-}
-
-TEST(SiemensTraps, WordsBehindAWordOfAStructure) {
-  const auto behind = [](const std::string& word) { return word + " is followed by words that are not read"; };
-  for (const char* words : {"X50", "G0 X50", "GOTOF AA", "R1=2", "JUNK"}) {
-    const std::string text = std::string(" ") + words + "\n", end = "G1 X1 F100\nAA: X2";
-    expect_open("R1=1\nIF R1==1\nELSE" + text + "ENDIF\n" + end, behind("ELSE"));
-    expect_open("R1=1\nIF R1==0\nELSE" + text + "ENDIF\n" + end, behind("ELSE"));
-    expect_open("R1=1\nIF R1==1\nENDIF" + text + end, behind("ENDIF"));
-    expect_open("R1=1\nIF R1==0\nENDIF" + text + end, behind("ENDIF"));
-    expect_open("R1=1\nIF R1==1\nELSE\nENDIF" + text + end, behind("ENDIF"));
-    expect_open("R1=1\nWHILE R1<3\nR1=R1+1\nENDWHILE" + text + end, behind("ENDWHILE"));
-    expect_open("R1=3\nWHILE R1<3\nENDWHILE" + text + end, behind("ENDWHILE"));
-    expect_open("FOR R1=1 TO 3\nENDFOR" + text + end, behind("ENDFOR"));
-    expect_open("FOR R1=3 TO 1\nENDFOR" + text + end, behind("ENDFOR"));
-    expect_open("LOOP\nENDLOOP" + text + end, behind("ENDLOOP"));
-    expect_open("R1=1\nREPEAT\nUNTIL R1==1" + text + end, behind("UNTIL"));
-    expect_open(std::string("EXTERN L10") + text + end, "EXTERN is followed by text");
-  }
 }
 
 TEST(SiemensTraps, AUnitBehindPositions) {
