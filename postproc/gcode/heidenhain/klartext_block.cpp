@@ -17,21 +17,20 @@ void remove_block_number(std::string_view& line) {
   line = trim_blanks(line.substr(digits));
 }
 
-/// Returns whether text may begin a block: a number, or one of the keywords of the language.
+/// Returns whether text may begin a block. Text that begins with a long word that is no keyword is none: a short one may be
+/// an address with its value, such as X+50.
 bool may_begin_block(std::string capitals) {
-  static constexpr std::array<std::string_view, 32> kKeywords = {
-      "APPR", "BEGIN", "BLK",   "C",   "CALL", "CC",   "CHF", "CP",   "CR",       "CT",     "CTP",
-      "CYCL", "DEP",   "END",   "FC",  "FCT",  "FL",   "FLT", "FN",   "FUNCTION", "L",      "LBL",
-      "LN",   "LP",    "PLANE", "RND", "SEL",  "STOP", "TCH", "TOOL", "TRANS",    "PATTERN"};
+  static constexpr std::array<std::string_view, 28> kLongKeywords = {
+      "APPR", "BEGIN",   "CALL",    "CONTOUR", "CORRDATA", "CYCL",       "CYCLE",  "DECLARE", "FUNCTION", "GLOBAL",
+      "GOTO", "INCLUDE", "OPEN",    "PATTERN", "PLANE",    "POLARKIN",   "PRESET", "PROBE",   "SECTION",  "STOP",
+      "READ", "STRING",  "TABDATA", "TOOL",    "TRANS",    "MONITORING", "WAIT",   "WRITE"};
+  constexpr std::size_t kMinLength = 4;
   std::ranges::transform(capitals, capitals.begin(), capital);
   std::string_view text = trim_blanks(capitals);
   if (text.empty()) return false;
-  const char first = text[0];
-  const char second = text.size() > 1 ? text[1] : ' ';
-  const bool is_function = first == 'M' && is_digit(second);
-  const bool is_parameter = first == 'Q' && (is_digit(second) || second == 'L' || second == 'R');
-  if (is_digit(first) || is_function || is_parameter || first == '/') return true;
-  return std::ranges::any_of(kKeywords, [&](std::string_view one) { return take_keywords(text, one); });
+  const auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_capital) - text.begin());
+  if (length < kMinLength) return true;
+  return std::ranges::any_of(kLongKeywords, [&](std::string_view one) { return take_keywords(text, one); });
 }
 
 /// A carriage return within a comment may be a line end of another system, with a block behind it.
@@ -91,7 +90,8 @@ bool begin_block(std::string_view line, KlartextBlock& block) {
 
 KlartextBlock read_klartext_line(std::string_view line) {
   KlartextBlock block;
-  if (begin_block(line, block)) block.text += " ~";  // no line follows
+  block.has_several_lines = begin_block(line, block);
+  if (block.has_several_lines) block.text += " ~";  // no line follows
   block.text = trim_blanks(block.text);
   return block;
 }
@@ -99,6 +99,7 @@ KlartextBlock read_klartext_line(std::string_view line) {
 KlartextBlock read_klartext_block(const ProgramText& text, std::size_t index) {
   KlartextBlock block;
   bool goes_on = begin_block(text.line(index), block);
+  block.has_several_lines = goes_on;
   while (goes_on && ++index < text.end()) {
     std::string_view line = trim_blanks(text.line(index));
     goes_on = take_tilde(line);

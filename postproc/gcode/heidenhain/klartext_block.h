@@ -9,11 +9,12 @@ namespace gouge {
 
 /// A block of a Klartext program, which may stand on several lines.
 struct KlartextBlock {
-  std::string text;            ///< capitals except between quotation marks; without number and comment
-  std::string comment;         ///< of a block that is a comment or a structure item alone
-  std::string error;           ///< why the text is no block; empty: it is one
-  bool is_skippable = false;   ///< begins with the mark for block skip
-  std::size_t next_index = 0;  ///< the line after the block
+  std::string text;                ///< capitals except between quotation marks; without number and comment
+  std::string comment;             ///< of a block that is a comment or a structure item alone
+  std::string error;               ///< why the text is no block; empty: it is one
+  bool is_skippable = false;       ///< begins with the mark for block skip
+  bool has_several_lines = false;  ///< a tilde joins another line
+  std::size_t next_index = 0;      ///< the line after the block
 };
 
 /// Reads the block that begins at a line. A tilde at the end of a line joins the next one.

@@ -23,6 +23,23 @@ bool is_title(std::string_view text) {
   });
 }
 
+/// Returns whether a text is a value, or a name in any language and its value: "V.ZEIT 0.5", "ANGLE +90". An address is
+/// shorter.
+bool is_named_value(std::string_view text, const QParameters& parameters) {
+  constexpr std::size_t kMinName = 3;
+  std::size_t name = 0, shortest = text.size(), length = 0;
+  for (; name < text.size() && !is_digit(text[name]) && text[name] != '+' && text[name] != '-'; ++name) {
+    const bool is_parameter = text[name] == 'Q' && name + 1 < text.size() && is_digit(text[name + 1]);
+    if (is_parameter) break;
+    const bool ends = text[name] == ' ';
+    if (ends && length > 0) shortest = std::min(shortest, length);
+    length = ends ? 0 : length + 1;
+  }
+  if (length > 0) shortest = std::min(shortest, length);
+  return (name == 0 || (name >= kMinName && shortest >= kMinName)) && is_title(text.substr(0, name)) &&
+         read_operand(text.substr(name), parameters).error.empty();
+}
+
 std::optional<int> take_integer(std::string_view& text) {
   const auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
   const auto number = parse_integer(text.substr(0, length));
@@ -64,7 +81,10 @@ void KlartextRunner::define_step(int cycle, int step, std::string_view text) {
     if (cycle == kDatumShift) frame_.begin_shift();
     return;
   }
-  if (cycle == kDwell || cycle == kOrientation) return;
+  if (cycle == kDwell || cycle == kOrientation) {
+    if (has_several_lines_ || !is_named_value(text, parameters_)) lose_rest(name + " is read with one value alone");
+    return;
+  }
   Words words;
   if (!read_words(text, words)) return;
   pole_.reset();

@@ -7,6 +7,7 @@
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/stage.h"
+#include "postproc/gcode/heidenhain/plain_statements.h"
 
 namespace gouge {
 namespace {
@@ -237,9 +238,14 @@ void KlartextRun::run_function(std::string_view text) {
   rest = trim_blanks(rest);
   const bool is_assignment = !name.empty() && rest.starts_with('=');
   if (*number == 17 || !is_assignment) return runner_.lose_rest("FN " + std::to_string(*number) + " is not read");
-  // No manual at hand states the result of these in full: values of the control, angles and lengths.
-  if (*number == 18 || *number == 13 || *number == 8) return parameters_.set(name, kUnknownValue);
   std::string formula(trim_blanks(rest.substr(1)));
+  // No manual at hand states the result of these in full: values of the control, angles and lengths.
+  if (*number == 18 || *number == 13 || *number == 8) {
+    const bool is_read = *number == 18 ? is_value_of_control(formula, parameters_)
+                                       : is_pair_of_operands(formula, *number == 13 ? "ANG" : "LEN", parameters_);
+    if (!is_read) return runner_.lose_rest("FN " + std::to_string(*number) + " has words that are not read");
+    return parameters_.set(name, kUnknownValue);
+  }
   if (*number == 4) {
     const std::size_t divide = formula.find("DIV");
     if (divide == std::string::npos) return runner_.lose_rest("FN 4 has no DIV");

@@ -5,14 +5,10 @@
 
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
+#include "postproc/gcode/heidenhain/plain_statements.h"
 
 namespace gouge {
 namespace {
-
-/// Statements that neither move nor change anything.
-/// Source   iTNC 530 60642x-04: BLK FORM, STOP, FN 14 to FN 16 and FN 20.
-constexpr std::array<std::string_view, 6> kHarmlessStatements = {"BLK FORM", "FN 14", "FN 15",
-                                                                 "FN 16",    "FN 20", "FN 38"};
 
 std::string first_word(std::string_view text) {
   return std::string(text.substr(0, std::min(text.find(' '), text.size())));
@@ -57,6 +53,7 @@ void KlartextRunner::run(const KlartextBlock& block, std::size_t line, bool is_c
     return lose_rest("CYCL DEF " + std::to_string(step_[0]) + ".0 has no values in the next block");
   if (!is_step) step_ = {};
   if (!goes_on_shifting(block.text)) end_shift();
+  has_several_lines_ = block.has_several_lines;
   run_statement(block.text);
 }
 
@@ -78,9 +75,12 @@ void KlartextRunner::run_statement(std::string_view text) {
   if (take_keywords(text, "CYCL CALL")) return call_cycle(text);
   if (take_keywords(text, "PLANE")) return define_plane(text);
   if (take_keywords(text, "FUNCTION")) return control_tip(text);
+  if (const auto wrong = read_plain_statement(text, parameters_)) {
+    if (!wrong->empty()) return lose_rest(*wrong);
+    if (has_several_lines_) lose_rest("'~' behind " + first_word(text) + ", whose block is read in one line alone");
+    return;
+  }
   std::string_view rest = text;
-  for (const std::string_view statement : kHarmlessStatements)
-    if (take_keywords(rest, statement)) return;
   if (take_keywords(rest, "STOP")) return run_functions(rest);
   if (text[0] == 'M' && text.size() > 1 && is_digit(text[1])) return run_functions(text);
   if (!run_path_statement(text)) lose_rest(first_word(text) + " begins a statement that is not read");

@@ -145,6 +145,7 @@ class KlartextRunner {
   bool takes_shortest_ = false;                // M126
   std::array<bool, 2> is_turn_open_{};         // of rotary joints: M126 may have left the count of turns or not
   std::size_t rotation_line_ = 0;              // of a rotation that is not active for both axes of the plane; 0: none
+  bool has_several_lines_ = false;             // the block that runs
   bool has_preset_ = false;
   bool has_begun_ = false, has_ended_ = false;
   bool is_cut_ = false;          // a block follows that rounds the end of this motion

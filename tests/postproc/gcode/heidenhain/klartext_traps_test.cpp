@@ -43,6 +43,26 @@ TEST(KlartextTraps, WordsWithoutARow) {
                      "BEGIN PGM B INCH\n" + kStart});
 }
 
+// Statements without an effect have the words of their forms alone, in one line.
+TEST(KlartextTraps, WordsBehindStatementsWithoutAnEffect) {
+  for (const char* statement :
+       {"BLK FORM 0.1 Z X+0 Y+0 Z-20", "BLK FORM 0.2 X+9 Y+9 IZ+20", "BLK FORM CYLINDER Z R50 L105 DIST+5 RI10",
+        "BLK FORM ROTATION Z DIM_R LBL 1", "BLK FORM FILE \"A.STL\" TARGET \"B.STL\"", "FN 14: ERROR = 1000",
+        "FN 15: PRINT Q1/20", "FN 16: F-PRINT TNC:\\A.A / \"B C.TXT\"", "FN 18: SYSREAD Q1 = ID210 NR4 IDX3",
+        "FN 20: WAIT FOR SYNC", "FN 20: WAIT FOR I32==+1", "FN 38: SEND /\"Q1: %F\" / +Q1", "FN 13: Q1 = +5 ANG +Q2",
+        "FN 8: Q1 = +5 LEN +3", "CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 V.ZEIT 0.5",
+        "CYCL DEF 9.0 DWELL TIME\nCYCL DEF 9.1 5", "CYCL DEF 13.0 ORIENTATION\nCYCL DEF 13.1 ANGLE+90"}) {
+    const std::string text = statement, end = "\nL X+1 F100\nL M30\nLBL 1\nL X+2\nLBL 0\n";
+    EXPECT_EQ(count_open(blocks_of(kStart + text + end)), 0U) << text;
+    for (const char* words :
+         {" L X+50", " X+50 R0", " M6", " ~\nL X+50", " ~\nX+50 R0", " ~\nCYCL CALL", " JUNK", " FMAX"})
+      expect_none_clean({kStart + text + words + end});
+  }
+  expect_none_clean({kStart + "BLK FORM 0.1 Z X+0 Y+0 ~\nZ-20\nL X+1\n", kStart + "BLK FORM 0.1 Z X+0 X+50\nL X+1\n",
+                     kStart + "BLK FORM 0.1 Z X+0 IX+50\nL X+1\n", kStart + "BLK FORM 0.3 X+0\nL X+1\n",
+                     kStart + "BLK FORM\nBLK FORM X+5\nL X+1\n", kStart + "FN 14 L X+5\nL X+1\n"});
+}
+
 // Trap 7: frames in an order, or in a form, whose meaning no manual at hand states.
 TEST(KlartextTraps, FramesThatAreNotKnown) {
   expect_none_clean(

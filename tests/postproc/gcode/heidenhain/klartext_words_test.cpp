@@ -86,8 +86,10 @@ TEST(KlartextBlock, HasNeitherNumberNorComment) {
 }
 
 TEST(KlartextBlock, IsLostByAReturnInACommentBeforeABlock) {
-  EXPECT_EQ(read_klartext_line("5 ; mill\r mm, quick, of steel").error, "");
-  for (const char* const text : {"5 ; tool\r6 L Z-5", "L X+1 ; a\r l Z-5", ";a\rQ1 = 5", ";a\r b\r M3"})
+  EXPECT_EQ(read_klartext_line("5 ; mill\r quick, of steel 60.0 MM").error, "");
+  for (const char* const text : {"5 ; tool\r6 L Z-5", "; hi\rX+50 R0", "; hi\rIX+50", "; hi\r12 IX+50",
+                                 "; hi\rPR+50 PA+0", "; hi\r x Q5", "; hi\rIPA+5 DR+", "L X+1 ; hi\rCYCLE DEF 7.1 X+5",
+                                 "; a\rmm, of steel", "L X+1 ; a\r l Z-5", ";a\rQ1 = 5", ";a\r b\r M3"})
     EXPECT_NE(read_klartext_line(text).error, "") << text;
 }
 
