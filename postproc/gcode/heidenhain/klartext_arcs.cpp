@@ -57,7 +57,11 @@ void KlartextRunner::set_pole(const PathWords& words) {
     const auto& word = words.xyz.at(i);
     const double own = from[static_cast<int>(i)];
     // An axis that is left out keeps a value that no manual at hand states.
-    made.at(i) = is_here ? own : !word ? kUnknownValue : length(word->value) + (word->is_step ? own : 0);
+    const bool is_open = is_moved_.at(i) && (is_here || (word && word->is_step));  // as the first step after a shift
+    made.at(i) = is_open   ? kUnknownValue
+                 : is_here ? own
+                 : !word   ? kUnknownValue
+                           : length(word->value) + (word->is_step ? own : 0);
   }
   pole_ = made;
 }
@@ -124,6 +128,7 @@ void KlartextRunner::go_polar_arc(const PathWords& words) {
   to.place.xyz.x() = pole[0] + radius * std::cos(end_rad);
   to.place.xyz.y() = pole[1] + radius * std::sin(end_rad);
   polar_ = Polar{radius, from_deg + sweep_deg};
+  is_moved_[0] = is_moved_[1] = false;
   ProgramArc arc;
   arc.centre = Vec3(pole[0], pole[1], start.z());
   arc.axis = Vec3(0, 0, sweep_deg < 0 ? -1 : 1);

@@ -106,6 +106,11 @@ KlartextRunner::Target KlartextRunner::target(const PathWords& words) {
     double& own = to.place.xyz[static_cast<int>(i)];
     own = word->is_step ? own + length(word->value) : length(word->value);
     if (!is_known(word->value)) to.open = std::string("the value of ") + "XYZ"[i] + " is not known";
+    if (!word->is_step) is_moved_.at(i) = false;
+    if (!is_moved_.at(i)) continue;
+    own = kUnknownValue;
+    to.open = std::string("I") + "XYZ"[i] + " is a step after a change of the frame; expected an absolute " + "XYZ"[i] +
+              " before it";
   }
   activate_rotation(words, to);
   aim_rotary(words, to);
@@ -254,6 +259,7 @@ KlartextRunner::Target KlartextRunner::polar_target(const PathWords& words) {
   if (words.function(Meaning::machine_place) != nullptr) to.open = "polar coordinates of a place of the machine";
   if (to.place.xyz.head<2>().hasNaN() && to.open.empty()) to.open = "the pole, the radius or the angle is not known";
   polar_ = Polar{radius, angle};
+  is_moved_[0] = is_moved_[1] = false;
   return to;
 }
 

@@ -5,6 +5,7 @@
 
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/gcode/heidenhain/plain_statements.h"
 
 namespace gouge {
@@ -18,6 +19,11 @@ std::string first_word(std::string_view text) {
 bool goes_on_shifting(std::string_view text) {
   const bool is_cycle = take_keywords(text, "CYCL DEF") || take_keywords(text, "CYCLE DEF");
   return is_cycle && text.starts_with("7.") && !text.starts_with("7.0");
+}
+
+/// Returns whether a statement may change the frame.
+bool may_state_frame(std::string_view text) {
+  return take_keywords(text, "PLANE") || take_keywords(text, "CYCL DEF") || take_keywords(text, "CYCLE DEF");
 }
 
 bool is_known_length(const std::map<int, double>& lengths, int tool, double stated_mm) {
@@ -54,7 +60,20 @@ void KlartextRunner::run(const KlartextBlock& block, std::size_t line, bool is_c
   if (!is_step) step_ = {};
   if (!goes_on_shifting(block.text)) end_shift();
   has_several_lines_ = block.has_several_lines;
+  const bool may_change_frame = may_state_frame(block.text);
+  const Vec3 before = may_change_frame ? place() : Vec3::Zero();
   run_statement(block.text);
+  if (may_change_frame) note_moved_axes(before);
+}
+
+// No manual at hand states whether the first step begins at the place of the tool, or at its coordinates before the frame
+// changed.
+void KlartextRunner::note_moved_axes(const Vec3& before) {
+  const Vec3 after = place();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double apart = std::abs(after[static_cast<int>(i)] - before[static_cast<int>(i)]);
+    if (!(apart <= Tolerance::kSamePoint_mm)) is_moved_.at(i) = true;
+  }
 }
 
 void KlartextRunner::run_statement(std::string_view text) {

@@ -59,6 +59,7 @@ class KlartextRunner {
   void run_statement(std::string_view text);
   [[nodiscard]] bool take_start_fact(std::string_view text);
   bool run_path_statement(std::string_view text);
+  void note_moved_axes(const Vec3& before);
   void begin_program(std::string_view text);
   void call_tool(std::string_view text);
   void define_tool(std::string_view text);
@@ -145,6 +146,7 @@ class KlartextRunner {
   bool takes_shortest_ = false;                // M126
   std::array<bool, 2> is_turn_open_{};         // of rotary joints: M126 may have left the count of turns or not
   std::size_t rotation_line_ = 0;              // of a rotation that is not active for both axes of the plane; 0: none
+  std::array<bool, 3> is_moved_{};             // the frame changed after the last absolute coordinate of the axis
   bool has_several_lines_ = false;             // the block that runs
   bool has_preset_ = false;
   bool has_begun_ = false, has_ended_ = false;

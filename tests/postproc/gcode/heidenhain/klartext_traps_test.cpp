@@ -63,6 +63,19 @@ TEST(KlartextTraps, WordsBehindStatementsWithoutAnEffect) {
                      kStart + "BLK FORM\nBLK FORM X+5\nL X+1\n", kStart + "FN 14 L X+5\nL X+1\n"});
 }
 
+// The first step of an axis may begin at the place of the tool, or at its coordinate before the shift.
+TEST(KlartextTraps, StepsAfterAChangeOfTheFrame) {
+  const std::string shift = "CYCL DEF 7.0 X\nCYCL DEF 7.1 X+10\n";
+  expect_none_clean({kStart + shift + "L IX+10 F100\n", kStart + shift + "L Y+5 IX+10 F100\n",
+                     kStart + shift + "CC IX+10 Y+0\nC X+0 Y+0 DR+ F100\n", kStart + shift + "CC\nLP PR+5 PA+0 F100\n",
+                     "L X+5 Y+0 Z+10 R0 FMAX\nCYCL DEF 8.0 M\nCYCL DEF 8.1 X\nL IX+10 F100\n",
+                     kStart + shift + "L Y+5 F100\nL IX+1\n", kStart + shift + "CR IX+10 Y+0 R+9 DR+ F100\n",
+                     "CYCL DEF 247 D Q339=1\n" + kStart + shift + "LBL 1\nL IX+1\nCALL LBL 1 REP 2\n"});
+  EXPECT_EQ(tips(blocks_of(kStart + shift + "L X+0 F100\nL IX+1\n")), "(0,0,10) (10,0,10) (11,0,10)");
+  EXPECT_EQ(tips(blocks_of(kStart + shift + "L IY+3 IZ+1 F100\n")), "(0,0,10) (0,3,11)");
+  EXPECT_EQ(tips(blocks_of(kStart + "CYCL DEF 7.0 X\nCYCL DEF 7.1 X+0\nL IX+3 F100\n")), "(0,0,10) (3,0,10)");
+}
+
 // Trap 7: frames in an order, or in a form, whose meaning no manual at hand states.
 TEST(KlartextTraps, FramesThatAreNotKnown) {
   expect_none_clean(
