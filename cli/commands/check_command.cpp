@@ -122,6 +122,18 @@ Result<ReportParts> find_parts(const CheckArguments& arguments, const StickoutOp
   return parts;
 }
 
+/// Makes the certificate of a result, with proofs about stock if the check has one.
+MadeCertificate prove(const JobArguments& arguments, const CheckResult& result, JobPipeline& run) {
+  const Job& job = run.job();
+  const std::string digest = inputs_digest(job.inputs);
+  const ProgressCall progress = run.progress().call();
+  if (run.loaded_stock() == nullptr) return make_certificate(claimed_scene(job), claims_of(result), digest, progress);
+  const ClaimedStock stock = claimed_stock(job, arguments, *run.loaded_stock());
+  const StockDepths depths = stock_depths_of(result, stock);
+  const StockClaims claims(stock, depths);
+  return make_certificate(claimed_scene(job), claims_of(result), digest, progress, &claims);
+}
+
 }  // namespace
 
 int run_check(const CheckArguments& arguments, const JobContext& context) {
@@ -147,12 +159,10 @@ int run_check(const CheckArguments& arguments, const JobContext& context) {
   run.progress().begin("summing up the result");
   MadeCertificate certificate;
   if (!arguments.job.certificate_file.empty()) {
-    certificate =
-        make_certificate(claimed_scene(job), claims_of(result), inputs_digest(job.inputs), run.progress().call());
+    certificate = prove(arguments.job, result, run);
     parts->certificate_bytes = certificate.bytes;
   }
-  Diagnostics unproved;
-  if (!certificate.not_proved.empty()) unproved.push_back(describe_unproved(job, certificate));
+  const Diagnostics unproved = describe_unproved(job, certificate);
   const std::string spent = "spent: " + std::to_string(result.evaluations) + " bounds in " +
                             std::to_string(result.verdicts.size()) + " moves\n";
   return run.write(run.report(job.toolpath, result, std::move(*parts)), unproved, spent);

@@ -55,6 +55,8 @@ class JobPipeline {
   [[nodiscard]] CheckSetup setup() const { return job_->setup(*scene_); }
   /// Returns the stock; null: none was loaded.
   [[nodiscard]] const StockSetup* stock() const { return stock_ ? &*stock_->setup : nullptr; }
+  /// Returns the same with its meshes and tools.
+  [[nodiscard]] const LoadedStock* loaded_stock() const { return stock_ ? &*stock_ : nullptr; }
   [[nodiscard]] Progress& progress() { return progress_; }
 
  private:

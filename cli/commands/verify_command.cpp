@@ -48,22 +48,27 @@ class Verifier {
     const SceneOrders orders(scene_);
     progress_.begin("verifying witnesses");
     check_witnesses(tools);
-    std::vector<ProofState> proofs(claims_.size(), ProofState::missing);
+    CertificateReading proofs;
+    proofs.of_move.resize(claims_.size(), ProofState::missing);
     if (!certificate_name.empty()) {
       done_.has_certificate = true;
+      std::optional<StockClaims> about_stock;
+      if (stock_) about_stock.emplace(*stock_, stock_depths_);
       Result<CertificateReading> read =
-          verify_certificate(scene_, orders, claims_, digest_, certificate_name, certificate, progress_.call());
+          verify_certificate(scene_, orders, claims_, digest_, certificate_name, certificate, progress_.call(),
+                             about_stock ? &*about_stock : nullptr);
       if (!read) return read.error();
-      proofs = std::move(read->of_move);
-      for (const ProofRefutation& r : read->refuted) done_.refuted.push_back({r.move, std::nullopt, r.point, r.what});
+      proofs = std::move(*read);
+      for (const ProofRefutation& r : proofs.refuted) done_.refuted.push_back({r.move, std::nullopt, r.point, r.what});
     }
-    count(proofs);
+    count(proofs.of_move);
+    if (stock_) count_stock(proofs.of_move_in_stock);
     refute_open_moves();
     progress_.begin("looking for counterexamples");
     done_.outside = check_outside(scene_, tools, claims_);
     for (const Counterexample& c : done_.outside.refuted) done_.refuted.push_back({c.move, c.t, c.point, c.what});
-    std::vector<bool> is_proved(proofs.size());
-    for (std::size_t i = 0; i < proofs.size(); ++i) is_proved[i] = proofs[i] == ProofState::proved;
+    std::vector<bool> is_proved(claims_.size());
+    for (std::size_t i = 0; i < claims_.size(); ++i) is_proved[i] = proofs.of_move[i] == ProofState::proved;
     done_.attack = attack_claims(scene_, orders, tools, claims_, is_proved, seconds);
     if (const auto& c = done_.attack.found) done_.refuted.push_back({c->move, c->t, c->point, c->what});
     return std::move(done_);
@@ -86,11 +91,14 @@ class Verifier {
     for (std::size_t i = 0; i < claims_.size(); ++i) {
       MoveClaim& claim = claims_[i];
       is_clear[i] = claims_clean(claim);
+      std::optional<double>& depth = stock_depths_.emplace_back();
+      if (is_clear[i]) depth = stock_->largest_clear_mm();
       if (!claim.witness || !claim.witness->is_stock) continue;
       if (auto fault = verifier.find_fault(i, claim))
         done_.refuted.push_back({i, claim.witness->t, claim.witness->point, "its witness: " + *fault});
       else
         ++done_.stock_witnesses;
+      depth = claim.depth_upper_mm;
       claim = MoveClaim();
     }
     done_.stock = verifier.attack(is_clear, seconds);
@@ -135,11 +143,21 @@ class Verifier {
     }
   }
 
+  void count_stock(const std::vector<ProofState>& proofs) {
+    for (std::size_t i = 0; i < stock_depths_.size(); ++i) {
+      const bool is_proved = i < proofs.size() && proofs[i] == ProofState::proved;
+      if (stock_depths_[i]) ++(is_proved ? done_.proved_stock : done_.sampled_stock);
+      const bool is_clear = stock_depths_[i] && *stock_depths_[i] <= stock_->largest_clear_mm();
+      if (is_clear && i < proofs.size() && proofs[i] == ProofState::open) done_.without_stock_proof.push_back(i);
+    }
+  }
+
   const ClaimedResult& result_;
   ClaimedScene scene_;
   std::string digest_;
   std::optional<ClaimedStock> stock_;
   std::vector<MoveClaim> claims_;
+  StockDepths stock_depths_;
   Progress& progress_;
   Verification done_;
 };
@@ -287,6 +305,9 @@ std::string verified_text(const Verification& v) {
   if (v.outside.proved > 0)
     text +=
         "verified: " + moves(v.outside.proved) + " outside of all solids, as the tool leaves their box on the way\n";
+  if (v.proved_stock > 0)
+    text += "verified: " + moves(v.proved_stock) +
+            " proved to meet no remaining stock deeper than said, at every instant\n";
   return text;
 }
 
@@ -303,7 +324,8 @@ std::string sampled_text(const Verification& v) {
     text += "attacked: nothing deeper than said was found in " + count_text(v.attack.samples, "instant") + " of " +
             moves(v.attack.moves) + "\n";
   if (v.stock) {
-    add(moves(v.stock->moves) + " said to be clear of the stock, and the bounds of depths in it");
+    if (v.sampled_stock > 0)
+      add(moves(v.sampled_stock) + " said to be clear of the stock, or to meet it no deeper than said");
     text += "attacked: no stock was left at " + count_text(v.stock->samples, "place") + " of these moves\n";
   }
   return text;
@@ -317,6 +339,10 @@ std::string uncovered_text(const Verification& v) {
     add(moves(v.without_proof.size()) +
         " said to be clean, for which the certificate says no proof was found (first: move " +
         std::to_string(v.without_proof.front()) + ")");
+  if (!v.without_stock_proof.empty())
+    add(moves(v.without_stock_proof.size()) +
+        " said to be clear of the stock, for which the certificate says no proof was found (first: move " +
+        std::to_string(v.without_stock_proof.front()) + ")");
   if (v.outside.unexamined > 0)
     add("whether " + moves(v.outside.unexamined) + " of tools with a thin body are outside of all solids");
   if (v.has_excess) add("the material that the result states to be left on the parts");
@@ -329,8 +355,9 @@ std::string uncovered_text(const Verification& v) {
 
 int exit_status(const Verification& v) {
   if (!v.refuted.empty()) return kExitGouges;
-  return v.uncovered > 0 || v.has_excess || !v.without_proof.empty() || v.outside.unexamined > 0 ? kExitNotChecked
-                                                                                                 : kExitClean;
+  const bool is_covered = v.uncovered == 0 && !v.has_excess && v.without_proof.empty() &&
+                          v.without_stock_proof.empty() && v.outside.unexamined == 0;
+  return is_covered ? kExitClean : kExitNotChecked;
 }
 
 std::string verification_text(const Verification& v, const ClaimedResult& result, const Toolpath* path) {
@@ -342,8 +369,8 @@ std::string verification_text(const Verification& v, const ClaimedResult& result
     return text + "result: refuted; it is not right, or its inputs are not those that were checked\n";
   text += verified_text(v) + sampled_text(v) + uncovered_text(v);
   if (exit_status(v) != kExitClean) return text + "result: not refuted, but not all of it is covered\n";
-  const bool is_all_proved =
-      v.has_certificate && !v.has_heads && !v.stock && v.sampled_clean + v.sampled_gouges + v.outside.sampled == 0;
+  const bool is_all_proved = v.has_certificate && !v.has_heads &&
+                             v.sampled_clean + v.sampled_gouges + v.sampled_stock + v.outside.sampled == 0;
   return text + (is_all_proved ? "result: verified\n"
                                : "result: not refuted; what is only sampled may be wrong all the same\n");
 }

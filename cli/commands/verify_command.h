@@ -51,9 +51,12 @@ struct Verification {
   std::size_t uncovered = 0;                          ///< number of moves without a claim that could be verified
   OutsideCheck outside;
   AttackResult attack;
-  std::size_t stock_witnesses = 0;    ///< number of recomputed witnesses in remaining stock
-  std::optional<AttackResult> stock;  ///< none: the check had no stock
-  bool has_excess = false;            ///< the result states material left on the parts
+  std::size_t stock_witnesses = 0;  ///< number of recomputed witnesses in remaining stock
+  std::size_t proved_stock = 0,
+              sampled_stock = 0;                 ///< numbers of moves whose bound in remaining stock is proved, sampled
+  std::vector<std::size_t> without_stock_proof;  ///< moves for which the certificate has no proof about the stock
+  std::optional<AttackResult> stock;             ///< none: the check had no stock
+  bool has_excess = false;                       ///< the result states material left on the parts
   bool has_heads = false;
 };
 

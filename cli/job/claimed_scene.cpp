@@ -145,18 +145,38 @@ std::vector<MoveClaim> claims_of(const CheckResult& result) {
   return claims;
 }
 
+StockDepths stock_depths_of(const CheckResult& result, const ClaimedStock& stock) {
+  StockDepths depths;
+  depths.reserve(result.verdicts.size());
+  for (const MoveVerdict& verdict : result.verdicts) {
+    std::optional<double>& depth = depths.emplace_back();
+    const ClaimedState state = claimed_state(verdict.state);
+    if (verdict.is_in_stock() && std::isfinite(verdict.depth_upper_mm)) depth = verdict.depth_upper_mm;
+    if (state == ClaimedState::clean || state == ClaimedState::near) depth = stock.largest_clear_mm();
+  }
+  return depths;
+}
+
 std::string inputs_digest(const std::vector<InputFile>& inputs) {
   std::string all;
   for (const InputFile& input : inputs) all += input.role + " " + input.checksum + "\n";
   return sha256_of(all);
 }
 
-Diagnostic describe_unproved(const Job& job, const MadeCertificate& certificate) {
-  const std::size_t move = certificate.not_proved.front();
-  return make_warning("certificate-incomplete",
-                      "no proof was found within its budget for " + count_text(certificate.not_proved.size(), "move") +
-                          ", first for move " + std::to_string(move) + "; the certificate says so of them",
-                      job.toolpath.file, job.toolpath.moves[move].line);
+Diagnostics describe_unproved(const Job& job, const MadeCertificate& certificate) {
+  Diagnostics warnings;
+  const auto add = [&](const SectionProofs& proofs, const std::string& what) {
+    if (proofs.not_proved.empty()) return;
+    const std::size_t move = proofs.not_proved.front();
+    warnings.push_back(make_warning("certificate-incomplete",
+                                    "no proof" + what + " was found within its budget for " +
+                                        count_text(proofs.not_proved.size(), "move") + ", first for move " +
+                                        std::to_string(move) + "; the certificate says so of them",
+                                    job.toolpath.file, job.toolpath.moves[move].line));
+  };
+  add(certificate.surfaces, "");
+  add(certificate.stock, " about the stock");
+  return warnings;
 }
 
 }  // namespace gouge

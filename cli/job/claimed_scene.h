@@ -23,11 +23,14 @@ namespace gouge {
 /// Returns the claims about parts and fixtures. A move with a finding in remaining stock is clean of these.
 [[nodiscard]] std::vector<MoveClaim> claims_of(const CheckResult& result);
 
+/// Returns the depths that no remaining stock exceeds. A clean move claims tolerance + resolution, a finding its upper bound.
+[[nodiscard]] StockDepths stock_depths_of(const CheckResult& result, const ClaimedStock& stock);
+
 /// Returns the SHA-256 of the roles and checksums of all inputs, in their order. A certificate holds for inputs with
 /// this digest.
 [[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs);
 
-/// Returns the warning about moves without a proof. Requires that there is such a move.
-[[nodiscard]] Diagnostic describe_unproved(const Job& job, const MadeCertificate& certificate);
+/// Returns the warnings about moves without a proof.
+[[nodiscard]] Diagnostics describe_unproved(const Job& job, const MadeCertificate& certificate);
 
 }  // namespace gouge

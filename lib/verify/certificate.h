@@ -7,31 +7,35 @@
 #include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/verify/claims.h"
+#include "lib/verify/proof_subject.h"
+#include "lib/verify/stock_claims.h"
 #include "lib/verify/triangle_order.h"
 
 // Proofs of a result in a file: docs/formats/certificate.md.
 
 namespace gouge {
 
-struct MadeCertificate {
-  std::string bytes;
+/// The proofs of a section of a certificate.
+struct SectionProofs {
   std::size_t proved = 0;               ///< number of moves with a proof
   std::vector<std::size_t> not_proved;  ///< moves that claim a bound but have no proof
 };
 
+struct MadeCertificate {
+  std::string bytes;
+  SectionProofs surfaces;  ///< about parts and fixtures
+  SectionProofs stock;     ///< about remaining stock
+};
+
 /// Makes a proof for every clean, near and gouging move. One proof covers several moves if possible.
 ///
+/// `stock` holds the claims about remaining stock; null: the result has none.
 /// Requires `inputs`, the 64 SHA-256 digits of the inputs of the result. A reader compares them.
 /// Ensures   The bytes are the same at any number of threads.
-/// Cost      A few hundred microseconds for a move near the surface; a few milliseconds for a gouge.
+/// Cost      A few hundred microseconds for a move near the surface; a few milliseconds for a gouge, or beside stock.
 [[nodiscard]] MadeCertificate make_certificate(const ClaimedScene& scene, const std::vector<MoveClaim>& claims,
-                                               std::string_view inputs, const ProgressCall& progress);
-
-struct ProofRefutation {
-  std::size_t move = 0;
-  Vec3 point = Vec3::Zero();
-  std::string what;
-};
+                                               std::string_view inputs, const ProgressCall& progress,
+                                               const StockClaims* stock = nullptr);
 
 enum class ProofState : std::uint8_t {
   missing,  ///< the certificate does not mention the move
@@ -41,7 +45,8 @@ enum class ProofState : std::uint8_t {
 };
 
 struct CertificateReading {
-  std::vector<ProofState> of_move;
+  std::vector<ProofState> of_move;           ///< about parts and fixtures
+  std::vector<ProofState> of_move_in_stock;  ///< empty: the result has no stock
   std::vector<ProofRefutation> refuted;
 };
 
@@ -52,6 +57,7 @@ struct CertificateReading {
 [[nodiscard]] Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const SceneOrders& orders,
                                                             const std::vector<MoveClaim>& claims,
                                                             std::string_view inputs, const std::string& name,
-                                                            std::string_view bytes, const ProgressCall& progress);
+                                                            std::string_view bytes, const ProgressCall& progress,
+                                                            const StockClaims* stock = nullptr);
 
 }  // namespace gouge

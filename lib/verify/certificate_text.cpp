@@ -15,6 +15,8 @@ std::uint64_t fixed_at(std::string_view bytes, std::size_t at, std::size_t count
   return value;
 }
 
+}  // namespace
+
 void put_number(std::string& out, std::uint64_t value) {
   for (; value >= 0x80; value >>= 7) out.push_back(static_cast<char>((value & 0x7f) | 0x80));
   out.push_back(static_cast<char>(value));
@@ -31,8 +33,6 @@ std::optional<std::uint64_t> take_number(std::string_view& bytes) {
   return std::nullopt;
 }
 
-}  // namespace
-
 std::string to_bytes(const CertificateHeader& h) {
   std::string out = h.inputs;
   for (const std::uint64_t value :
@@ -40,20 +40,29 @@ std::string to_bytes(const CertificateHeader& h) {
         std::bit_cast<std::uint64_t>(h.resolution_mm)})
     put_fixed(out, value, 8);
   out += h.law;
-  out.resize(kHeaderBytes, '\0');
+  out.resize(header_bytes(false), '\0');
+  if (h.stock)
+    for (const double value : {h.stock->tolerance_mm, h.stock->resolution_mm})
+      put_fixed(out, std::bit_cast<std::uint64_t>(value), 8);
   return out;
 }
 
 CertificateHeader header_of(std::string_view bytes) {
   const auto word = [&](std::size_t k) { return fixed_at(bytes, 64 + 8 * k, 8); };
-  const std::string_view law = bytes.substr(kHeaderBytes - kLawBytes, kLawBytes);
-  return {std::string(bytes.substr(0, 64)),
-          word(0),
-          word(1),
-          word(2),
-          std::bit_cast<double>(word(3)),
-          std::bit_cast<double>(word(4)),
-          std::string(law.substr(0, law.find('\0')))};
+  const std::string_view law = bytes.substr(header_bytes(false) - kLawBytes, kLawBytes);
+  CertificateHeader header{std::string(bytes.substr(0, 64)),
+                           word(0),
+                           word(1),
+                           word(2),
+                           std::bit_cast<double>(word(3)),
+                           std::bit_cast<double>(word(4)),
+                           std::string(law.substr(0, law.find('\0'))),
+                           std::nullopt};
+  const auto length = [&](std::size_t k) {
+    return std::bit_cast<double>(fixed_at(bytes, header_bytes(false) + 8 * k, 8));
+  };
+  if (bytes.size() == header_bytes(true)) header.stock = StockLengths{length(0), length(1)};
+  return header;
 }
 
 std::string block_bytes(const std::vector<ProofGroup>& groups) {

@@ -10,7 +10,9 @@
 
 namespace gouge {
 
-inline constexpr std::string_view kCertificateMagic = "gougecheck proof 2\n";
+/// Certificates without and with proofs about stock. Both have the same length.
+inline constexpr std::string_view kCertificateMagic = "gougecheck proof 2\n",
+                                  kStockCertificateMagic = "gougecheck proof 3\n";
 inline constexpr std::size_t kMaxBlockBytes = 1U << 26U, kMaxMovesOfGroup = 256;
 
 /// Moves [first, first + count) and the steps of their proof.
@@ -19,19 +21,32 @@ struct ProofGroup {
   std::string steps;
 };
 
+/// Lengths of the claims about stock. mm.
+struct StockLengths {
+  double tolerance_mm = 0, resolution_mm = 0;
+};
+
 /// The header before the blocks.
 struct CertificateHeader {
   std::string inputs;  ///< 64 hexadecimal digits
   std::uint64_t moves = 0, part_triangles = 0, fixture_triangles = 0;
   double tolerance_mm = 0, resolution_mm = 0;
-  std::string law;  ///< the law of motion and the kind of rapids; at most kLawBytes
+  std::string law;                      ///< the law of motion and the kind of rapids; at most kLawBytes
+  std::optional<StockLengths> stock{};  ///< nothing: there are no proofs about stock
 };
 
 [[nodiscard]] std::string to_bytes(const CertificateHeader& header);
 inline constexpr std::size_t kLawBytes = 32;
-inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8 + kLawBytes;
-/// Reads a header. Requires kHeaderBytes bytes.
+[[nodiscard]] constexpr std::size_t header_bytes(bool has_stock) {
+  return 64 + 5 * 8 + kLawBytes + (has_stock ? 2 * 8 : 0);
+}
+/// Reads a header. Requires as many bytes as one of both has.
 [[nodiscard]] CertificateHeader header_of(std::string_view bytes);
+
+/// A number in LEB128 form.
+void put_number(std::string& out, std::uint64_t value);
+/// Removes a number from the beginning; nothing: there is none below 2^63.
+[[nodiscard]] std::optional<std::uint64_t> take_number(std::string_view& bytes);
 
 /// Returns a block, preceded by its length. A block without groups is the end.
 [[nodiscard]] std::string block_bytes(const std::vector<ProofGroup>& groups);

@@ -23,4 +23,15 @@ std::optional<std::vector<MotionPiece>> claimed_pieces(const ClaimedScene& scene
   return pieces;
 }
 
+std::optional<MotionOfMoves> pieces_of_moves(const ClaimedScene& scene, std::size_t first, std::size_t count) {
+  MotionOfMoves all;
+  for (std::size_t move = first; move < first + count; ++move) {
+    const auto own = claimed_pieces(scene, move);
+    if (!own) return std::nullopt;
+    for (std::size_t k = 0; k < own->size(); ++k) all.of_piece.push_back({move, k});
+    all.motion.insert(all.motion.end(), own->begin(), own->end());
+  }
+  return all;
+}
+
 }  // namespace gouge

@@ -32,6 +32,9 @@ struct ClaimedStock {
   bool is_motion_open = false;  ///< several motions are permitted: depths are the least of all, on the first one larger
   std::vector<ClaimedProgram> programs;  ///< in the order of time; the last is the path of the claims
   std::vector<SolidDepth> heads = {};    ///< bodies that move with the tools of that path, in the tool's frame
+
+  /// Returns the depth that a clear move does not exceed.
+  [[nodiscard]] double largest_clear_mm() const { return tolerance_mm + resolution_mm; }
 };
 
 /// Tests witnesses of findings in stock, and searches for stock in moves that claim to be clear of it.

@@ -1,6 +1,7 @@
 #include "lib/verify/program_cuts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/verify/bounds.h"
@@ -11,7 +12,6 @@ namespace gouge {
 namespace {
 
 constexpr double kSlack_mm = 1e-6;  // for rounding
-constexpr std::size_t kBlock = 64;  // moves that share a ball
 // A piece of time of a motion is not divided further once nothing in it moves by more than this.
 constexpr double kFinest_mm = 1e-7;
 
@@ -58,6 +58,7 @@ ProgramCuts::ProgramCuts(const ClaimedProgram& program) : program_(program) {
   for (std::size_t i = 0; i < path().moves.size(); ++i) {
     if (i % kBlock == 0) blocks_.emplace_back();
     balls_.push_back(cuts(i) ? ball_of(i) : Ball{});
+    if (std::isfinite(balls_[i].radius_mm)) longest_mm_ = std::max(longest_mm_, balls_[i].radius_mm);
     if (!(balls_[i].radius_mm < 0)) blocks_.back().add(balls_[i].center, balls_[i].radius_mm);
   }
 }

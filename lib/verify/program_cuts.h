@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,8 +35,23 @@ class ProgramCuts {
   /// known here may come anywhere, if `counts_unknown`.
   [[nodiscard]] std::optional<std::size_t> nearer(const Vec3& point, std::size_t before, double within_mm,
                                                   bool counts_unknown) const;
+  /// Returns the largest distance of a point of a cutter from its tip.
+  [[nodiscard]] double largest_mm() const { return largest_mm_; }
+  /// Returns the largest distance of a tip of a cut from its first tip.
+  [[nodiscard]] double longest_mm() const { return longest_mm_; }
+  /// Calls `visit(move)` for each cut below `before` whose cutter may come nearer to a point than `within_mm`.
+  template <typename Visit>
+  void visit_near(const Vec3& point, std::size_t before, double within_mm, const Visit& visit) const {
+    for (std::size_t b = 0; b * kBlock < before; ++b) {
+      if (is_beyond(blocks_[b], point, within_mm)) continue;
+      for (std::size_t i = b * kBlock; i < std::min(before, (b + 1) * kBlock); ++i)
+        if (!is_beyond(balls_[i], point, within_mm)) visit(i);
+    }
+  }
 
  private:
+  static constexpr std::size_t kBlock = 64;  // moves that share a ball
+
   /// All tips of some moves are within `radius_mm` of the center.
   struct Ball {
     Vec3 center = Vec3::Zero();
@@ -50,7 +66,7 @@ class ProgramCuts {
   const ClaimedProgram& program_;
   std::vector<std::unique_ptr<const CutterForms>> forms_;
   std::vector<Ball> balls_, blocks_;
-  double largest_mm_ = 0;
+  double largest_mm_ = 0, longest_mm_ = 0;
 };
 
 }  // namespace gouge

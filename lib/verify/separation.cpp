@@ -22,6 +22,16 @@ bool is_same(const PoseBounds& a, const PoseBounds& b) {
 
 double larger(double a, const Bounds& b) { return std::max(a, b.sup()); }
 
+/// Returns half the extent of a node or a block along a direction.
+Bounds half_extent(const SurfacePatch& patch, const Bounds3& direction) {
+  Bounds half(0);
+  for (std::size_t k = 0; k < 3; ++k)
+    half += patch.shape == PatchShape::block
+                ? CGAL::abs(dot(direction, Bounds3(patch.arms[k])))
+                : CGAL::abs(direction[k]) * Bounds(patch.half[static_cast<Eigen::Index>(k)]);
+  return half;
+}
+
 }  // namespace
 
 SurfacePatch triangle_patch(const std::array<Vec3, 3>& corners) {
@@ -36,7 +46,7 @@ SurfacePatch triangle_patch(const std::array<Vec3, 3>& corners) {
 SurfacePatch node_patch(const TriangleOrder& order, const TriangleOrder::Node& node) {
   const TriangleOrder::Extent& extent = order.extent(node);
   SurfacePatch patch;
-  patch.is_triangle = false;
+  patch.shape = PatchShape::node;
   patch.center = extent.center;
   patch.half = extent.half;
   patch.into = extent.into;
@@ -76,46 +86,45 @@ TimeSpan span_of(const MotionPiece* first, const MotionPiece* last) {
   return span;
 }
 
+// The height above the tip is a product of two functions that are linear along the chords. The margin has its deviation
+// between the end values (the twist), and the effects of sag and bend.
+PatchHeights heights_of(const SurfacePatch& patch, const TimeSpan& span) {
+  PatchHeights heights{kInfinity, -kInfinity, 0};
+  const auto take = [&](const Bounds& z) {
+    heights.low_mm = std::min(heights.low_mm, z.inf());
+    heights.high_mm = std::max(heights.high_mm, z.sup());
+  };
+  for (const PoseBounds& pose : span.poses) {
+    if (patch.shape == PatchShape::triangle) {
+      for (const Vec3& corner : patch.corners) {
+        const Bounds3 u = Bounds3(corner) - pose.tip;
+        take(dot(u, pose.axis));
+        heights.reach_mm = larger(heights.reach_mm, length(u));
+      }
+      continue;
+    }
+    const Bounds3 u = Bounds3(patch.center) - pose.tip;
+    const Bounds half = half_extent(patch, pose.axis);
+    take(dot(u, pose.axis) + half);
+    take(dot(u, pose.axis) - half);
+    heights.reach_mm = larger(heights.reach_mm, length(u) + Bounds(patch.radius_mm));
+  }
+  const Bounds reach(heights.reach_mm), sag(span.sag_mm);
+  const double margin = (Bounds(span.twist_mm) + sag + Bounds(span.bend) * (reach + sag)).sup();
+  heights.low_mm = (Bounds(heights.low_mm) - Bounds(margin)).inf();
+  heights.high_mm = (Bounds(heights.high_mm) + Bounds(margin)).sup();
+  return heights;
+}
+
 void Separation::look_at(const SurfacePatch& patch, const TimeSpan& span) {
   patch_ = &patch;
   span_ = &span;
   is_clipped_ = false;
   r_hi_ = -1;
-  bound_heights();
-}
-
-// The height above the tip is a product of two functions that are linear along the chords. The margin has its deviation
-// between the end values (the twist), and the effects of sag and bend.
-void Separation::bound_heights() {
-  z_lo_ = kInfinity;
-  z_hi_ = -kInfinity;
-  reach_mm_ = 0;
-  const auto take = [&](const Bounds& z) {
-    z_lo_ = std::min(z_lo_, z.inf());
-    z_hi_ = std::max(z_hi_, z.sup());
-  };
-  for (const PoseBounds& pose : span_->poses) {
-    if (patch_->is_triangle) {
-      for (const Vec3& corner : patch_->corners) {
-        const Bounds3 u = Bounds3(corner) - pose.tip;
-        take(dot(u, pose.axis));
-        reach_mm_ = larger(reach_mm_, length(u));
-      }
-      continue;
-    }
-    const Bounds3 u = Bounds3(patch_->center) - pose.tip;
-    Bounds half(0);
-    for (std::size_t k = 0; k < 3; ++k)
-      half += CGAL::abs(pose.axis[k]) * Bounds(patch_->half[static_cast<Eigen::Index>(k)]);
-    take(dot(u, pose.axis) + half);
-    take(dot(u, pose.axis) - half);
-    reach_mm_ = larger(reach_mm_, length(u) + Bounds(patch_->radius_mm));
-  }
-  const double margin =
-      (Bounds(span_->twist_mm) + Bounds(span_->sag_mm) + Bounds(span_->bend) * (Bounds(reach_mm_) + span_->sag_mm))
-          .sup();
-  z_lo_ = (Bounds(z_lo_) - Bounds(margin)).inf();
-  z_hi_ = (Bounds(z_hi_) + Bounds(margin)).sup();
+  const PatchHeights heights = heights_of(patch, span);
+  z_lo_ = heights.low_mm;
+  z_hi_ = heights.high_mm;
+  reach_mm_ = heights.reach_mm;
 }
 
 // The distance from the axis is |u x a|, with a unit vector a; |u x a - u' x a'| <= |u - u'| + |u'| |a - a'|.
@@ -203,19 +212,18 @@ bool Separation::is_separated_by(const Vec3& n, double depth_mm, bool is_ring) {
   const Bounds3 across(n);
   const Bounds size = length(across);
   double least = kInfinity, most = -kInfinity;
-  if (patch_->is_triangle) {
+  if (patch_->shape == PatchShape::triangle) {
     for (const Vec3& corner : patch_->corners) {
       const Bounds at = dot(across, Bounds3(corner));
       least = std::min(least, at.inf());
       most = std::max(most, at.sup());
     }
   } else {
-    Bounds half(0);
-    for (int k = 0; k < 3; ++k) half += Bounds(std::abs(n[k])) * Bounds(patch_->half[k]);
+    const Bounds half = half_extent(*patch_, across);
     const Bounds at = dot(across, Bounds3(patch_->center));
     least = (at - half).inf();
     most = (at + half).sup();
-    if ((n - patch_->into).isZero(0)) least = std::max(least, patch_->least);
+    if (patch_->shape == PatchShape::node && (n - patch_->into).isZero(0)) least = std::max(least, patch_->least);
   }
   double top = -kInfinity, lowest = kInfinity, vague = 0;
   for (const PoseBounds& pose : span_->poses) {
@@ -281,7 +289,8 @@ bool Separation::is_near_exit_point(double depth_mm) {
 
 bool Separation::holds(ProofKind kind, double depth_mm) {
   if (kind == ProofKind::exit_point) return is_near_exit_point(depth_mm);
-  if (!patch_->is_triangle && (kind == ProofKind::closest_plane || kind == ProofKind::closest_ring)) return false;
+  if (patch_->shape != PatchShape::triangle && (kind == ProofKind::closest_plane || kind == ProofKind::closest_ring))
+    return false;
   return is_separated_by(direction(kind), depth_mm, kind >= ProofKind::own_ring);
 }
 

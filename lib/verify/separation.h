@@ -13,10 +13,14 @@
 
 namespace gouge {
 
-/// A triangle, a part of a triangle, or all triangles of a node.
+enum class PatchShape : std::uint8_t { triangle, node, block };
+
+/// A triangle or a part of one, all triangles of a node, or a block of space.
 struct SurfacePatch {
-  bool is_triangle = true;
+  PatchShape shape = PatchShape::triangle;
   std::array<Vec3, 3> corners{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of a triangle
+  std::array<Vec3, 3> arms{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};     ///< of a block: its points are center plus
+                                                                          ///< each arm by a factor in [-1, 1]
   Vec3 center = Vec3::Zero(), half = Vec3::Zero();                        ///< of a node: all corners are within center
                                                                           ///< +- half
   Vec3 into = Vec3::Zero();                                               ///< normal into the solid; zero: unknown
@@ -38,6 +42,14 @@ struct TimeSpan {
 };
 /// Returns the poses of consecutive pieces of a motion. More than a few poses become one pose with wider bounds.
 [[nodiscard]] TimeSpan span_of(const MotionPiece* first, const MotionPiece* last);
+
+/// Heights of a patch in the tool, at all instants of a span.
+struct PatchHeights {
+  double low_mm = 0, high_mm = 0;
+  double reach_mm = 0;  ///< largest distance from the tip, at the poses of the span
+};
+/// Requires RoundsUpward.
+[[nodiscard]] PatchHeights heights_of(const SurfacePatch& patch, const TimeSpan& span);
 
 /// Methods to choose a plane, or to bound the depth otherwise. The numbers are those of docs/formats/certificate.md.
 enum class ProofKind : std::uint8_t {
@@ -76,7 +88,6 @@ class Separation {
 
   [[nodiscard]] Vec3 direction(ProofKind kind);
   [[nodiscard]] Vec3 away_from(const Vec3& point) const;
-  void bound_heights();
   void bound_radii();
   void clip(bool is_ring);
   [[nodiscard]] Bounds support(const Bounds& out, const Bounds& up) const;

@@ -21,6 +21,8 @@ class SolidDepth {
   [[nodiscard]] const Box3& box() const { return box_; }
   /// Returns the depth at a point; 0 outside. Cost O(n), and O(n) for each crossing of triangles near the point.
   [[nodiscard]] double at(const Vec3& point) const;
+  /// Returns whether the winding number at a point is 0. Cost O(n).
+  [[nodiscard]] bool is_outside(const Vec3& point) const;
   /// Returns the distance to the nearest triangle. Cost O(n).
   [[nodiscard]] double distance_to_surface(const Vec3& point) const;
 
@@ -29,7 +31,6 @@ class SolidDepth {
 
   void find_crossings();
   void add_crossing(std::uint32_t a, std::uint32_t b);
-  [[nodiscard]] bool is_outside(const Vec3& point) const;
   [[nodiscard]] bool has_outside_beside(std::uint32_t triangle, const Vec3& point) const;
   [[nodiscard]] bool has_outside_around(std::uint32_t triangle, const Vec3& point) const;
   [[nodiscard]] double nearest_on_crossed(std::uint32_t triangle, const Vec3& point, double below_mm) const;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "lib/geom/triangle.h"
+#include "lib/verify/proof_time.h"
 #include "lib/verify/separation.h"
 
 namespace gouge {
@@ -40,28 +41,6 @@ SurfacePatch patch_of(const TriangleOrder& order, const Place& place) {
   return place.is_node ? node_patch(order, place.node) : triangle_patch(place.corners);
 }
 
-/// A part of the time: some pieces, or a part of one piece.
-struct Time {
-  Time(const MotionPiece* begin, const MotionPiece* end, std::size_t index)
-      : first(begin), last(end), piece(index), span(span_of(begin, end)) {}
-  const MotionPiece *first, *last;
-  std::size_t piece;  // index of the first piece
-  TimeSpan span;
-  [[nodiscard]] bool is_one() const { return last - first == 1; }
-};
-
-/// Calls `part(half)` for both halves of a time. Stops if a call returns false.
-template <typename Part>
-bool for_halves(const Time& time, const Part& part) {
-  if (time.is_one()) {
-    const std::array<MotionPiece, 2> cut = time.first->halves();
-    return part(Time(&cut[0], &cut[0] + 1, time.piece)) && part(Time(&cut[1], &cut[1] + 1, time.piece));
-  }
-  const std::ptrdiff_t half = (time.last - time.first) / 2;
-  return part(Time(time.first, time.first + half, time.piece)) &&
-         part(Time(time.first + half, time.last, time.piece + static_cast<std::size_t>(half)));
-}
-
 class Finder {
  public:
   Finder(const ProofQuestion& question, std::uint64_t max_tries, std::string& steps)
@@ -72,7 +51,7 @@ class Finder {
         left_(max_tries),
         steps_(steps) {}
 
-  bool prove(const Place& place, const Time& time, int level) {
+  bool prove(const Place& place, const ProofTime& time, int level) {
     if (left_ == 0 || level > kDeepest) return false;
     --left_;
     const SurfacePatch patch = patch_of(question_.surface, place);
@@ -87,7 +66,7 @@ class Finder {
     if (patch.radius_mm < kNothing_mm && moves + vague(time) < kNothing_mm) return false;
     if (by_time > by_patch) {
       steps_.push_back(kCutTime);
-      return for_halves(time, [&](const Time& half) { return prove(place, half, level + 1); });
+      return for_halves(time, [&](const ProofTime& half) { return prove(place, half, level + 1); });
     }
     steps_.push_back(kCutSurface);
     for (const Place& half : halves_of(question_.surface, place))
@@ -96,11 +75,11 @@ class Finder {
   }
 
  private:
-  static double patch_reach(const SurfacePatch& patch, const Time& time) {
+  static double patch_reach(const SurfacePatch& patch, const ProofTime& time) {
     return (patch.center - time.span.middle.tip).norm() + patch.radius_mm;
   }
   // Returns the size of the box that contains the poses.
-  static double vague(const Time& time) {
+  static double vague(const ProofTime& time) {
     if (time.span.poses.size() > 1) return 0;
     double wide = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -108,7 +87,7 @@ class Finder {
     return wide;
   }
 
-  std::optional<ProofKind> kind_that_holds(const Place& place, const SurfacePatch& patch, const Time& time) {
+  std::optional<ProofKind> kind_that_holds(const Place& place, const SurfacePatch& patch, const ProofTime& time) {
     using enum ProofKind;
     const auto holds = [&](ProofKind kind) {
       const bool is_proved = separation_.holds(kind, depth_mm_);
@@ -143,12 +122,13 @@ class Follower {
         steps_(steps),
         fault_(fault) {}
 
-  bool follow(const Place& place, const Time& time, int level) {
+  bool follow(const Place& place, const ProofTime& time, int level) {
     if (steps_.empty()) return fails(place, time, "the proof ends too early");
     const char step = steps_.front();
     steps_.remove_prefix(1);
     if (level > kDeepest) return fails(place, time, "the proof cuts too finely");
-    if (step == kCutTime) return for_halves(time, [&](const Time& half) { return follow(place, half, level + 1); });
+    if (step == kCutTime)
+      return for_halves(time, [&](const ProofTime& half) { return follow(place, half, level + 1); });
     if (step == kCutSurface) {
       for (const Place& half : halves_of(question_.surface, place))
         if (!follow(half, time, level + 1)) return false;
@@ -163,7 +143,7 @@ class Follower {
   }
 
  private:
-  bool fails(const Place& place, const Time& time, const char* what) {
+  bool fails(const Place& place, const ProofTime& time, const char* what) {
     fault_ = {time.piece, patch_of(question_.surface, place).center, what};
     return false;
   }
@@ -182,7 +162,7 @@ bool find_proof(const ProofQuestion& question, std::span<const MotionPiece> piec
                 std::string& steps) {
   if (is_nothing(question)) return true;
   const std::size_t before = steps.size();
-  const Time all(pieces.data(), pieces.data() + pieces.size(), 0);
+  const ProofTime all(pieces.data(), pieces.data() + pieces.size(), 0);
   if (Finder(question, max_tries, steps).prove(place_of(question.surface, question.surface.root()), all, 0))
     return true;
   steps.resize(before);
@@ -192,7 +172,7 @@ bool find_proof(const ProofQuestion& question, std::span<const MotionPiece> piec
 bool follow_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces, std::string_view& steps,
                   ProofFault& fault) {
   if (is_nothing(question)) return true;
-  const Time all(pieces.data(), pieces.data() + pieces.size(), 0);
+  const ProofTime all(pieces.data(), pieces.data() + pieces.size(), 0);
   return Follower(question, steps, fault).follow(place_of(question.surface, question.surface.root()), all, 0);
 }
 

@@ -50,7 +50,13 @@ ToolContour::ToolContour(const CompiledTool& tool) {
     if (e.kind == ElementKind::segment) pieces_.push_back({e.body, false, false, e.a, e.b, Vec2::Zero(), 0});
   }
   for (const BoundaryElement& e : tool.elements) is_stepped_ = is_stepped_ || e.is_reflex;
-  for (const Piece& p : pieces_) size_mm_ = std::max({size_mm_, p.a.norm(), p.b.norm()});
+  if (!pieces_.empty()) low_mm_ = high_mm_ = pieces_.front().a.y();
+  for (const Piece& p : pieces_) {
+    low_mm_ = std::min(low_mm_, p.z_lo());
+    high_mm_ = std::max(high_mm_, p.z_hi());
+    size_mm_ = std::max({size_mm_, p.a.norm(), p.b.norm()});
+    largest_radius_mm_ = std::max(largest_radius_mm_, p.r_hi());
+  }
 }
 
 void ToolContour::add_arc(const BoundaryElement& arc) {

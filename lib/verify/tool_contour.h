@@ -38,6 +38,8 @@ class ToolContour {
   /// Returns the maximum gap: between the end of a piece and the start of the next one, or between the axis and the
   /// first or last piece. With a gap the contour bounds nothing.
   [[nodiscard]] double largest_gap_mm() const;
+  /// Returns whether the contour has no gap, up to rounding.
+  [[nodiscard]] bool is_closed() const { return largest_gap_mm() <= kJoined_mm; }
   /// Finds the nearest point by examining every piece. The side is given by the number of times that a ray along r
   /// crosses the contour.
   [[nodiscard]] Nearest nearest(const Vec2& q) const;
@@ -48,12 +50,18 @@ class ToolContour {
   [[nodiscard]] bool is_stepped() const { return is_stepped_; }
   /// Returns a bound of the distance of all points from the tip.
   [[nodiscard]] double size_mm() const { return size_mm_; }
+  [[nodiscard]] double largest_radius_mm() const { return largest_radius_mm_; }
+  /// Returns the heights of its lowest and highest point.
+  [[nodiscard]] double low_mm() const { return low_mm_; }
+  [[nodiscard]] double high_mm() const { return high_mm_; }
 
  private:
+  static constexpr double kJoined_mm = 1e-9;
+
   void add_arc(const BoundaryElement& arc);
 
   std::vector<Piece> pieces_;
-  double size_mm_ = 0;
+  double size_mm_ = 0, largest_radius_mm_ = 0, low_mm_ = 0, high_mm_ = 0;
   bool is_stepped_ = false;
 };
 

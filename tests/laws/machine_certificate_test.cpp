@@ -122,7 +122,7 @@ TEST_P(MachineCertificate, IsAcceptedAndItsWitnessesAreReal) {
         gouges += of.claims[i].state == ClaimedState::gouge ? 1U : 0U;
       }
       moves += of.claims.size();
-      open += made.not_proved.size();
+      open += made.surfaces.not_proved.size();
     }
   }
   std::cout << moves << " moves, " << gouges << " of them gouges, " << open << " without a proof\n";
@@ -155,7 +155,7 @@ TEST_P(MachineCertificate, NoProofIsFoundForLessThanAWitnessShows) {
       claim.depth_upper_mm = claim.depth_mm - 3e-6;
       asked += is_deep ? 1U : 0U;
     }
-    EXPECT_EQ(of.certificate().proved, 0U) << machine.name;
+    EXPECT_EQ(of.certificate().surfaces.proved, 0U) << machine.name;
   }
   EXPECT_GT(asked, 3U);
 }

@@ -126,7 +126,7 @@ TEST(VerifyLaw, EveryRandomScenesCertificateIsAcceptedTheSameBytesAtAnyNumberOfT
     EXPECT_FALSE(of->is_refuted(made.bytes)) << "scene " << k;
     for (const MoveClaim& claim : of->claims) gouges += claim.state == ClaimedState::gouge ? 1 : 0;
     moves += of->claims.size();
-    open += made.not_proved.size();
+    open += made.surfaces.not_proved.size();
   }
   std::cout << moves << " moves, " << gouges << " of them gouges, " << open << " without a proof\n";
   EXPECT_GT(gouges, 0U);
@@ -144,7 +144,7 @@ TEST(VerifyLaw, NoProofIsFoundForLessThanAWitnessShows) {
       claim.depth_upper_mm = claim.depth_mm - 3e-6;
       asked += is_deep ? 1 : 0;
     }
-    EXPECT_EQ(of->certificate().proved, 0U) << "scene " << k;
+    EXPECT_EQ(of->certificate().surfaces.proved, 0U) << "scene " << k;
   }
   EXPECT_GT(asked, 10U);
 }
@@ -153,20 +153,20 @@ TEST(VerifyLaw, NoProofIsFoundForLessThanAWitnessShows) {
 TEST(VerifyLaw, ACertificateNamesItsLawOfMotion) {
   const auto of = make_case(0);
   const MadeCertificate made = of->certificate();
-  ASSERT_GT(made.proved, 0U);
+  ASSERT_GT(made.surfaces.proved, 0U);
   of->scene->is_dogleg = true;
   EXPECT_FALSE(of->verify(made.bytes).has_value());
   of->scene->is_dogleg = false;
   EXPECT_TRUE(of->verify(made.bytes).has_value());
   of->scene->axis_law = "rotary-head";
   EXPECT_FALSE(of->verify(made.bytes).has_value());
-  EXPECT_EQ(of->certificate().proved, 0U);
+  EXPECT_EQ(of->certificate().surfaces.proved, 0U);
 }
 
 /// The groups of a certificate, to be changed and written again.
 std::vector<ProofGroup> groups_in(std::string_view bytes, std::string& header) {
   ZstdReader reader(bytes.substr(kCertificateMagic.size()));
-  header = reader.take(kHeaderBytes);
+  header = reader.take(header_bytes(false));
   std::vector<ProofGroup> all;
   for (std::uint32_t size = block_length(reader.take(4)); size > 0; size = block_length(reader.take(4))) {
     const auto groups = groups_of(reader.take(size), 0, ~std::uint32_t{0});
