@@ -11,11 +11,11 @@ namespace gouge {
 
 namespace {
 
-constexpr std::size_t kMostChords = 60'000;  // held at once
-constexpr std::size_t kTries = 6;    // chords whose instant is tested, of all that contain the middle of a block
-constexpr double kSagShare = 0.25;   // a chord leaves its motion by no more than this share of the resolution
-constexpr double kStepShare = 0.25;  // instants of a chord are as near to each other, along the way of the tip
-constexpr std::uint64_t kMostHalvings = 12;
+constexpr std::size_t kMaxChords = 60'000;  // held at once
+constexpr std::size_t kTries = 6;           // chords whose instant is tested, of all that contain the middle of a block
+constexpr double kSagShare = 0.25;          // a chord leaves its motion by no more than this share of the resolution
+constexpr double kStepShare = 0.25;         // instants of a chord are as near to each other, along the way of the tip
+constexpr std::uint64_t kMaxHalvings = 12;
 constexpr double kFixedAxis = 1e-9, kStill = 1e-6;
 
 Pose middle_of(const PoseBounds& pose) { return {pose.tip.middle(), pose.axis.middle().normalized()}; }
@@ -47,7 +47,7 @@ ChordList CutSearch::near(const SpaceBlock& block, double radius_mm, std::size_t
 }
 
 void CutSearch::forget() {
-  if (held_ < kMostChords) return;
+  if (held_ < kMaxChords) return;
   for (auto& of_program : chords_) of_program.clear();
   held_ = 0;
   hint_ = nullptr;
@@ -73,7 +73,7 @@ const std::vector<CutChord>& CutSearch::chords_of(std::size_t program, std::size
 void CutSearch::append_chords(const MotionPiece& piece, const NamedCut& at, const ToolContour& cutter,
                               std::vector<CutChord>& chords) const {
   const double off = piece.sag_mm() + piece.bend() * cutter.size_mm();
-  if (off > kSagShare * wider_mm_ && at.level < kMostHalvings) {
+  if (off > kSagShare * wider_mm_ && at.level < kMaxHalvings) {
     const std::array<MotionPiece, 2> halves = piece.halves();
     NamedCut half = at;
     ++half.level;
@@ -130,7 +130,7 @@ std::optional<CutSearch::Trial> CutSearch::trial_of(const CutChord& chord, const
   const Vec3 along = chord.pose1.tip - chord.pose0.tip;
   const double way = along.norm() + (chord.pose1.axis - chord.pose0.axis).norm() * chord.cutter->size_mm();
   Trial trial{chord.start};
-  while (trial.level < kMostHalvings && way / static_cast<double>(1ULL << trial.level) > kStepShare * wider_mm_)
+  while (trial.level < kMaxHalvings && way / static_cast<double>(1ULL << trial.level) > kStepShare * wider_mm_)
     ++trial.level;
   const auto parts = static_cast<double>(1ULL << trial.level);
   const auto place_of = [&](double share) { return static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * parts); };
@@ -176,7 +176,7 @@ CutPoses CutSearch::poses_of(const CutChord& chord, Trial& trial) {
 
 std::vector<FoundCut> CutSearch::along(const Vec3& from, const Vec3& middle, const Vec3& to,
                                        const LatestInstant& latest) {
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMaxFound = 3;
   struct Candidate {
     double off_mm = 0;
     Deepest at;
@@ -190,7 +190,7 @@ std::vector<FoundCut> CutSearch::along(const Vec3& from, const Vec3& middle, con
     const auto place = std::upper_bound(best.begin(), best.end(), off,
                                         [](double value, const Candidate& one) { return value < one.off_mm; });
     best.insert(place, {off, *at, chord});
-    if (best.size() > kMost) best.pop_back();
+    if (best.size() > kMaxFound) best.pop_back();
   }
   const SpaceBlock line{0.5 * (from + to), {0.5 * (to - from), Vec3::Zero(), Vec3::Zero()}};
   std::vector<FoundCut> found;

@@ -30,7 +30,7 @@ class StockFinder {
 
   /// `chords`: null until the block is small enough to be in a cutter.
   bool prove(const SpaceBlock& block, const ProofTime& time, const ChordList* chords, bool may_be_beside, int level) {
-    if (left_ == 0 || level > kMostNestedCuts) return false;
+    if (left_ == 0 || level > kMaxNestedCuts) return false;
     --left_;
     const SurfacePatch patch = block_patch(block);
     separation_.look_at(patch, time.span);

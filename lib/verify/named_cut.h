@@ -10,7 +10,7 @@
 #include "lib/verify/program_cuts.h"
 #include "lib/verify/space_block.h"
 
-// What a proof about stock names: a cutter at one instant of its cut, or between two instants of a straight cut.
+// Cutters that a proof about stock names: at one instant of a cut, or between two instants of a straight cut.
 
 namespace gouge {
 

@@ -45,7 +45,7 @@ class StockFollower {
     if (steps_.empty()) return fails(block, time, "the proof ends too early");
     const char step = steps_.front();
     steps_.remove_prefix(1);
-    if (level > kMostNestedCuts) return fails(block, time, "the proof cuts too finely");
+    if (level > kMaxNestedCuts) return fails(block, time, "the proof cuts too finely");
     if (step == kCutTime)
       return for_halves(time, [&](const ProofTime& half) { return follow(block, half, level + 1); });
     if (step >= step_of(StockStep::cut_first) && step <= step_of(StockStep::cut_third))

@@ -30,7 +30,7 @@ enum class StockStep : std::uint8_t {
 
 /// Returns the byte of a step.
 [[nodiscard]] constexpr char step_of(StockStep step) { return static_cast<char>(step); }
-inline constexpr int kMostNestedCuts = 160;
+inline constexpr int kMaxNestedCuts = 160;
 
 struct StockProofQuestion {
   const ToolContour& body;

@@ -86,7 +86,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   const gouge::MadeCertificate made = gouge::make_certificate(of.scene, of.claims, gouge::kInputs, {});
   const auto read =
       gouge::verify_certificate(of.scene, gouge::SceneOrders(of.scene), of.claims, gouge::kInputs, "", made.bytes, {});
-  gouge::fuzz::require(read && made.surfaces.proved == 3 && made.surfaces.not_proved.size() == 2 && read->refuted.empty());
+  gouge::fuzz::require(read && made.surfaces.proved == 3 && made.surfaces.not_proved.size() == 2 &&
+                       read->refuted.empty());
   return 0;
 }
 
