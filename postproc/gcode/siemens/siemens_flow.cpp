@@ -131,11 +131,24 @@ void SiemensRun::run_conditional_jumps(bool holds, std::string_view rest) {
 // Only an IF without a jump has an ENDIF.
 std::string SiemensRun::flow_at(std::size_t index) const {
   const std::string_view line = without_comment(text_->program->line(index));
-  std::string word = flow_word_of(line);
+  std::string word = is_deleted(index) ? std::string() : flow_word_of(line);
   const std::string_view rest = word.empty() ? std::string_view() : flow_rest_at(index, word);
   if (word == "IF" && has_jump(rest)) return {};
   if (word == "REPEAT" && !trim_blanks(rest).empty()) return {};
   return word;
+}
+
+bool SiemensRun::has_mark_at(std::size_t index) const {
+  return read_siemens_start(text_->program->line(index)).is_skippable;
+}
+
+bool SiemensRun::is_deleted(std::size_t index) const {
+  return input_.options.setup.is_block_delete_on == true && has_mark_at(index);
+}
+
+// A block that a switch may leave out is part of no structure that is known.
+bool SiemensRun::is_open_at(std::size_t index) const {
+  return !input_.options.setup.is_block_delete_on && has_mark_at(index);
 }
 
 // Passes the word that ends a section, which stands alone.
@@ -158,6 +171,7 @@ std::optional<std::size_t> SiemensRun::find_pair(std::size_t from, std::string_v
     i = is_forward ? i + 1 : i - 1;
     const std::string word = flow_at(i);
     const bool opens = word == (is_forward ? opening : closing), closes = word == (is_forward ? closing : opening);
+    if ((opens || closes) && is_open_at(i)) return std::nullopt;
     if (closes && depth == 0) return i;
     if (opens) ++depth;
     if (closes) --depth;
@@ -170,6 +184,8 @@ std::optional<std::size_t> SiemensRun::find_branch() const {
   std::size_t depth = 0;
   for (std::size_t i = at_ + 1; i < text_->program->end(); ++i) {
     const std::string word = flow_at(i);
+    const bool is_part = word == "IF" || word == "ELSE" || word == "ENDIF";
+    if (is_part && is_open_at(i)) return std::nullopt;
     if (depth == 0 && (word == "ELSE" || word == "ENDIF")) return i;
     if (word == "IF") ++depth;
     if (word == "ENDIF") --depth;

@@ -81,6 +81,9 @@ class SiemensRun {
   [[nodiscard]] std::optional<std::size_t> find_pair(std::size_t from, std::string_view opening,
                                                      std::string_view closing, bool is_forward) const;
   [[nodiscard]] std::optional<std::size_t> find_branch() const;
+  [[nodiscard]] bool has_mark_at(std::size_t index) const;
+  [[nodiscard]] bool is_deleted(std::size_t index) const;
+  [[nodiscard]] bool is_open_at(std::size_t index) const;
   [[nodiscard]] std::string flow_at(std::size_t index) const;
   [[nodiscard]] std::string_view flow_rest_at(std::size_t index, std::string_view word) const;
   [[nodiscard]] const Labels& labels();
