@@ -19,6 +19,15 @@ bool take_word(std::string_view& text, std::string_view word) {
   return is_here;
 }
 
+/// Returns a line without what stands in parentheses. Conditions have brackets.
+std::string without_comments(std::string line) {
+  for (std::size_t open = line.find('('); open != std::string::npos; open = line.find('(')) {
+    const std::size_t close = line.find(')', open);
+    line.erase(open, close == std::string::npos ? close : close - open + 1);
+  }
+  return line;
+}
+
 /// Takes a whole number; none: the rest of the text is no number alone.
 std::optional<int> take_last_number(std::string_view text) {
   text = trim_blanks(text.substr(0, text.find('(')));
@@ -26,6 +35,39 @@ std::optional<int> take_last_number(std::string_view text) {
   const auto number = parse_integer(text);
   constexpr long long kLargest = 99'999'999;
   return number && *number >= 0 && *number <= kLargest ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
+std::string_view without_number(std::string_view line) {
+  if (!line.starts_with('N')) return line;
+  return trim_blanks(line.substr(std::min(line.find_first_not_of(" 0123456789", 1), line.size())));
+}
+
+/// WHILE with DO, or END, with the number of the loop.
+struct LoopMark {
+  bool is_end = false;
+  std::optional<int> number;
+  bool is_skippable = false;  ///< a slash stands before it: a switch of the control may leave it out
+};
+
+/// Returns the mark of a loop in a line; none: it has none.
+std::optional<LoopMark> loop_mark_of(const std::string& line) {
+  const std::string code = without_comments(in_capitals(line));
+  std::string_view text = trim_blanks(code);
+  LoopMark mark;
+  text = without_number(text);
+  if (text.starts_with('/')) {
+    mark.is_skippable = true;
+    text = without_number(trim_blanks(text.substr(std::min(text.find_first_not_of("/0123456789"), text.size()))));
+  }
+  mark.is_end = take_word(text, "END");
+  if (!mark.is_end && !take_word(text, "WHILE")) return std::nullopt;
+  if (!mark.is_end) {
+    const std::size_t start = text.rfind("DO");
+    if (start == std::string_view::npos) return std::nullopt;
+    text = text.substr(start + 2);
+  }
+  mark.number = take_last_number(text);
+  return mark;
 }
 
 }  // namespace
@@ -61,16 +103,7 @@ void ProgramRun::run_macro(std::string_view flow) {
     }
   } else if (take_word(text, "END")) {
     const auto number = take_last_number(text);
-    if (number) {
-      for (std::size_t i = at_; i-- > text_->begin();) {
-        const std::string line = in_capitals(text_->line(i));
-        const std::size_t loop = line.find("DO");
-        if (loop == std::string::npos || line.find("WHILE") == std::string::npos) continue;
-        if (take_last_number(std::string_view(line).substr(loop + 2)) != number) continue;
-        next_ = i;
-        return;
-      }
-    }
+    if (number) return repeat_loop(*number);
   }
   lose("'" + shown.substr(0, 40) + "' is not read");
 }
@@ -96,18 +129,27 @@ void ProgramRun::go_to(int number) {
   next_ = *block;
 }
 
+// The next mark with the number of a loop must be its other end.
+void ProgramRun::repeat_loop(int number) {
+  for (std::size_t i = at_; i-- > text_->begin();) {
+    const auto mark = loop_mark_of(std::string(text_->line(i)));
+    if (!mark || mark->number != number) continue;
+    if (mark->is_end || mark->is_skippable) break;
+    next_ = i;
+    return;
+  }
+  lose("END" + std::to_string(number) + " has no WHILE before it, or one that a switch may leave out");
+}
+
 void ProgramRun::end_loop(int number) {
   for (std::size_t i = at_ + 1; i < text_->end(); ++i) {
-    std::string_view line = trim_blanks(text_->line(i));
-    if (line.starts_with('N') || line.starts_with('n')) {
-      line = line.substr(1);
-      while (!line.empty() && (line[0] == ' ' || (line[0] >= '0' && line[0] <= '9'))) line = line.substr(1);
-    }
-    if (!take_word(line, "END") || take_last_number(line) != number) continue;
+    const auto mark = loop_mark_of(std::string(text_->line(i)));
+    if (!mark || mark->number != number) continue;
+    if (!mark->is_end || mark->is_skippable) break;
     next_ = i + 1;
     return;
   }
-  lose("a loop has no END" + std::to_string(number));
+  lose("a loop has no END" + std::to_string(number) + ", or one that a switch may leave out");
 }
 
 }  // namespace gouge

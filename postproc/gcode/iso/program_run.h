@@ -74,6 +74,7 @@ class ProgramRun {
   /// Returns the block with a number in the program that runs; none, or more than one: nothing.
   [[nodiscard]] std::optional<std::size_t> find_block(int number) const;
   void go_to(int number);
+  void repeat_loop(int number);
   void end_loop(int number);
   // LinuxCNC's O-words.
   void run_o_word(std::string_view flow);

@@ -325,5 +325,18 @@ TEST(GcodeWords, GiveEachToolItsLength) {
   EXPECT_EQ(path.tools[1].gauge_length_mm, 60);
 }
 
+// A mark of a loop in a comment is none, and one behind a slash may not be there.
+TEST(GcodeWords, MarksOfLoopsAreThoseOfBlocks) {
+  for (const std::string control : {"haas", "fanuc"}) {
+    const Toolpath path = path_of_program(
+        program("#1=0\nWHILE [#1 LT 2] DO1\n#1=#1+1\n(WHILE [#1 LT 9] DO1)\nN7 END1\nG1 X#1 F9.\n"), control);
+    ASSERT_FALSE(path.moves.empty());
+    EXPECT_DOUBLE_EQ(path.moves.back().end.tip.x(), 2) << control;
+    EXPECT_TRUE(path.moves.back().not_checked_reason.empty()) << control;
+    expect_open(program("#1=9\nWHILE [#1 LT 2] DO1\n#1=1\n/END1\nG1 X#1 F9.\nEND1\n"), control, "has no END1");
+    expect_open(program("#1=0\n/WHILE [#1 LT 2] DO1\n#1=#1+1\nEND1\nG1 X#1 F9.\n"), control, "");
+  }
+}
+
 }  // namespace
 }  // namespace gouge::test
