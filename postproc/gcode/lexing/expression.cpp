@@ -30,8 +30,14 @@ double equality(double a, double b, bool wanted) {
 double comparison(double a, double b, bool holds) { return is_known(a) && is_known(b) ? truth(holds) : kUnknownValue; }
 
 bool nearly_meet(double a, double b) {
-  const double apart = std::abs(a - b);
-  return apart > 0 && apart < kOfControlDigits * std::max({1.0, std::abs(a), std::abs(b)});
+  return std::abs(a - b) < kOfControlDigits * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+// Numbers that every control holds and adds exactly: few digits, and fractions that both binary and decimal numbers have.
+constexpr double kMaxExact = 1e7;
+bool is_exact(double x) {
+  constexpr double kParts = 1024;
+  return std::abs(x) < kMaxExact && std::abs(x * kParts - std::round(x * kParts)) <= 0;
 }
 
 // Controls differ in the sign of a remainder of negative numbers.
@@ -148,9 +154,7 @@ class Evaluator {
 
   [[nodiscard]] double applied(Operator one, double a, double b) const {
     using enum Operator;
-    const bool is_order = one == gt || one == ge || one == lt || one == le;
-    if (syntax_.has_macros && is_order && nearly_meet(a, b)) return kUnknownValue;
-    if (syntax_.has_macros && one == mod && is_nearly_whole(a / b)) return kUnknownValue;
+    if (syntax_.has_macros && depends_on_digits(one, a, b)) return kUnknownValue;
     switch (one) {
       case plus:
         return a + b;
@@ -188,10 +192,33 @@ class Evaluator {
     }
     return kUnknownValue;
   }
+  // The digits of variables differ between controls of macros. So a value that they round may be on either side of a limit,
+  // even if doubles meet the limit exactly. Source: Fanuc B-63944EN, Logical expressions; Haas, Macros, Round off.
+  [[nodiscard]] bool depends_on_digits(Operator one, double a, double b) const {
+    using enum Operator;
+    switch (one) {
+      case plus:
+      case minus:
+        return std::max(std::abs(a), std::abs(b)) >= kMaxExact && is_mostly_cancelled(one == minus ? a - b : a + b, a);
+      case mod:
+        return is_nearly_whole(a / b) || (c_.is_rounded && std::abs(a / b - std::round(a / b)) <= 0);
+      case conjunction:
+      case either:
+      case exclusive:
+        return c_.is_rounded;
+      default:
+        return rank_of(one) == Rank::comparison && nearly_meet(a, b) && (c_.is_rounded || std::abs(a - b) > 0);
+    }
+  }
+  static bool is_mostly_cancelled(double sum, double a) {
+    constexpr double kShare = 1e-2;
+    return std::abs(sum) < kShare * std::abs(a);
+  }
   static bool is_truth(double a) { return equality(a, 0, true) > 0 || equality(a, 1, true) > 0; }
 
   // Operators of at least this rank; equal ranks from left to right.
   double operation(Rank least) {
+    const bool was_rounded = c_.is_rounded;
     double left = value();
     while (c_.error.empty()) {
       std::size_t length = 0;
@@ -200,7 +227,10 @@ class Evaluator {
       if (rank == Rank::none || rank < least) break;
       c_.at += length;
       const double right = operation(static_cast<Rank>(static_cast<int>(rank) + 1));
-      left = noted(applied(one, left, right));
+      const double result = applied(one, left, right);
+      const bool rounds = c_.is_rounded || !is_exact(left) || !is_exact(right) || !is_exact(result);
+      c_.is_rounded = rank == Rank::comparison ? was_rounded : rounds;
+      left = result;
       if (std::isinf(left)) left = kUnknownValue;
     }
     return left;
@@ -220,7 +250,7 @@ class Evaluator {
     const std::string name = read_variable_name(c_, syntax_, variables_);
     if (name.empty() || is_system_variable(name, syntax_)) return kUnknownValue;
     c_.is_rounded = c_.is_rounded || variables_.may_be_rounded(name);
-    return noted(variables_.value(name));
+    return variables_.value(name);
   }
 
   double function() {
@@ -291,23 +321,13 @@ class Evaluator {
     while (is_digit(c_.peek()) || c_.peek() == '.') ++c_.at;
     const auto parsed = parse_number(c_.text.substr(begin, c_.at - begin));
     if (!parsed) c_.fail("a word without its number");
-    return noted(parsed.value_or(kUnknownValue));
-  }
-
-  // Notes a fraction: what is calculated from it has the digits of the control.
-  double noted(double x) {
-    c_.is_rounded = c_.is_rounded || std::floor(x) < x;
-    return x;
+    return parsed.value_or(kUnknownValue);
   }
 
   GcodeCursor& c_;
   const GcodeSyntax& syntax_;
   const GcodeVariables& variables_;
 };
-
-// Powers of ten that are exact doubles.
-constexpr std::array<double, 16> kPowers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                            1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
 }  // namespace
 
@@ -318,30 +338,6 @@ void GcodeCursor::skip_blanks() {
 void GcodeCursor::fail(std::string reason) {
   if (error.empty()) error = std::move(reason);
   at = text.size();
-}
-
-std::optional<double> read_plain_number(GcodeCursor& c, bool& has_point) {
-  constexpr std::size_t kMaxDigits = 15;
-  std::size_t at = c.at, digits = 0, decimals = 0;
-  long long value = 0;
-  bool is_behind = false;
-  for (; at < c.text.size(); ++at) {
-    const char one = c.text[at];
-    if (is_digit(one)) {
-      value = value * 10 + (one - '0');
-      ++digits;
-      decimals += is_behind ? 1U : 0U;
-      if (digits > kMaxDigits) return std::nullopt;
-    } else if (one == '.' && !is_behind) {
-      is_behind = true;
-    } else {
-      break;
-    }
-  }
-  if (digits == 0 || (at < c.text.size() && c.text[at] == '.')) return std::nullopt;
-  c.at = at;
-  has_point = is_behind;
-  return static_cast<double>(value) / kPowers[decimals];
 }
 
 double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables, bool& has_point) {

@@ -19,7 +19,7 @@ struct GcodeCursor {
   std::string error = {};   ///< empty: understood so far
   int depth = 0;            ///< brackets, signs and # in each other
   bool is_address = false;  ///< the value is that of an address
-  bool is_rounded = false;  ///< a value that is read is the result of fractions, which digits round
+  bool is_rounded = false;  ///< a value that is read is calculated, and digits of the control round it
 
   [[nodiscard]] bool is_end() const { return at >= text.size(); }
   [[nodiscard]] char peek() const { return is_end() ? '\0' : text[at]; }

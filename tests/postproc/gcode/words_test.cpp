@@ -325,6 +325,31 @@ TEST(GcodeWords, GiveEachToolItsLength) {
   EXPECT_EQ(path.tools[1].gauge_length_mm, 60);
 }
 
+// Fanuc B-63944EN, Logical expressions; Haas, Macros, Round off: a calculated value may be on either side of a limit that
+// doubles meet exactly.
+TEST(GcodeWords, LimitsThatCalculatedValuesMeetAreOpen) {
+  const auto jump = [](const std::string& before, const std::string& condition) {
+    return program(before + "IF [" + condition + "] GOTO 5\nG1 X1. F9.\nN5\n");
+  };
+  const auto value = [](const std::string& text) { return program("#3=" + text + "\nG1 X#3 F9.\n"); };
+  for (const std::string control : {"haas", "fanuc"}) {
+    for (const char* condition : {"#2 LT 1", "#2 GE 1", "#2 EQ 1", "#2 NE 1"})
+      expect_open(jump("#2=[1/3]*3\n", condition), control, "a condition whose value is not known");
+    for (const char* condition : {"0.1*10 EQ 1", "EXP[LN[2]] GE 2", "SIN[90] EQ 1", "SQRT[4] GT 2", "0.1+0.1 EQ 0.2"})
+      expect_open(jump("", condition), control, "a condition whose value is not known");
+    expect_open(program("#1=0\nWHILE [#1 LT 0.5] DO1\n#1=#1+0.1\nG1 X#1 F9.\nEND1\n"), control, "condition");
+    for (const char* text : {"[[1/3]*3*10] MOD 10", "[[1/3]*3] AND 1", "[1/3*1000000000]-333333333",
+                             "123456789.5-123456789", "12345678912+1-12345678912"})
+      expect_open(value(text), control, "the value of X");
+    for (const char* condition : {"#2 LT 1", "#2 EQ 0.1", "#2 NE 0.3", "[#2+1] GT 1.05"})
+      expect_checked(jump("#2=0.1\n", condition), control);
+    for (const char* condition : {"#2 EQ 0.75", "#2 GE 0.75", "[#2*4] EQ 3", "[#2 GT 0.5] AND [#2 LT 1]"})
+      expect_checked(jump("#2=0.5+0.25\n", condition), control);
+    expect_checked(program("#1=0\nWHILE [#1 LT 2] DO1\n#1=#1+0.25\nG1 X#1 F9.\nEND1\n"), control);
+    for (const char* text : {"12.7-12.7", "2000000-1999990", "7 MOD 4"}) expect_checked(value(text), control);
+  }
+}
+
 // A mark of a loop in a comment is none, and one behind a slash may not be there.
 TEST(GcodeWords, MarksOfLoopsAreThoseOfBlocks) {
   for (const std::string control : {"haas", "fanuc"}) {
