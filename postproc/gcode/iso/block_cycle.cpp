@@ -38,6 +38,12 @@ void BlockRunner::drill(const GcodeRow& row) {
   const int times = times_of_cycle().value_or(0);
   cycle_.times = is_incremental ? times : std::min(times, 1);  // the same hole again is the same motion
   if (at.open.empty()) at.open = why_not_drilled(*cycle, cycle_.times);
+  if (cycle_.times > 1 && words_.has_any("ABC")) {
+    // The control may turn the joint before each repeat, so its place afterwards is not known either.
+    if (at.open.empty())
+      at.open = "a repeated cycle has a step of a rotary joint; expected a block for each position of the joint";
+    at.place.angles.fill(AxisPlace::kUnknownCoordinate);
+  }
   const Vec3 step = is_incremental ? Vec3(at.place.xyz - motion_.place().xyz) : Vec3(Vec3::Zero());
   drill_at(*cycle, at, step);
 }

@@ -350,6 +350,19 @@ TEST(GcodeWords, LimitsThatCalculatedValuesMeetAreOpen) {
   }
 }
 
+// Haas, G81: L holes under G91; Fanuc: K. The joint may turn before each of them, and where it is afterwards is not known.
+TEST(GcodeWords, RepeatedCyclesDoNotTurnJoints) {
+  for (const std::string control : {"haas", "fanuc"}) {
+    const std::string repeats = control == "haas" ? "L2" : "K2";
+    const std::string cycle = "G0 A0. C0.\nX20. Y0. Z30.\nG99 G81 Z5. R10. F50.\nG91 ";
+    const ProgramSetup setup = on_trunnion();
+    expect_open(program(cycle + "C90. " + repeats + "\nG80\n"), control,
+                "a repeated cycle has a step of a rotary joint", setup);
+    expect_open(program(cycle + "C90. " + repeats + "\nG80\nG90 G1 X5. F9.\n"), control, "", setup);
+    expect_open(program(cycle + "X2. C90. " + repeats + "\nG80\n"), control, "a repeated cycle", setup);
+  }
+}
+
 // A mark of a loop in a comment is none, and one behind a slash may not be there.
 TEST(GcodeWords, MarksOfLoopsAreThoseOfBlocks) {
   for (const std::string control : {"haas", "fanuc"}) {
