@@ -33,6 +33,21 @@ Vec3 point_in(const SpaceBlock& block, test::Scatter& scatter) {
   return point;
 }
 
+std::vector<ToolVariants> every_tool() {
+  std::vector<ToolVariants> every = tools::shapes();
+  for (const ToolVariants& tool : tools::all()) every.push_back(tool);
+  return every;
+}
+
+/// Returns an upper bound of how deep a point is in a tool that runs straight with a fixed axis, at its deepest instant.
+double deepest_on_way(const reference::Contour& tool, const Pose& from, const Vec3& way, const Vec3& point) {
+  constexpr int kInstants = 400;
+  double deepest = -1e9;
+  for (int k = 0; k <= kInstants; ++k)
+    deepest = std::max(deepest, tool.depth({Vec3(from.tip + k * way / kInstants), from.axis}, point));
+  return deepest + 0.5 * way.norm() / kInstants;
+}
+
 CutPoses exactly(const Pose& pose) {
   const PoseBounds bounds{Bounds3(pose.tip), widened(Bounds3(pose.axis), 4e-16)};
   return {bounds, bounds};
@@ -73,8 +88,7 @@ TEST(SpaceBlock, ContainsItsBoxAndIsTheSumOfItsHalves) {
 TEST(NamedCut, ContainsNoPointThatIsFartherFromTheCutterThanTheResolution) {
   test::Scatter scatter(32);
   const RoundsUpward upward;
-  std::vector<ToolVariants> all = tools::shapes();
-  for (const ToolVariants& tool : tools::all()) all.push_back(tool);
+  const std::vector<ToolVariants> all = every_tool();
   std::size_t within = 0;
   for (const ToolVariants& tool : all) {
     const ToolContour cutter(tool.cutting);
@@ -125,8 +139,7 @@ TEST(NamedCut, IsTightForACylinder) {
 TEST(NamedCut, ContainsNoPointThatIsFartherFromAStraightCutThanTheResolution) {
   test::Scatter scatter(35);
   const RoundsUpward upward;
-  std::vector<ToolVariants> all = tools::shapes();
-  for (const ToolVariants& tool : tools::all()) all.push_back(tool);
+  const std::vector<ToolVariants> all = every_tool();
   std::size_t within = 0, longer = 0;
   for (const ToolVariants& tool : all) {
     const ToolContour cutter(tool.cutting);
@@ -145,11 +158,7 @@ TEST(NamedCut, ContainsNoPointThatIsFartherFromAStraightCutThanTheResolution) {
       if (block.arms[0].norm() > cutter.largest_radius_mm()) ++longer;
       for (int n = 0; n < 20; ++n) {
         const Vec3 point = point_in(block, scatter);
-        double deepest = -1e9;
-        constexpr int kInstants = 400;
-        for (int t = 0; t <= kInstants; ++t)
-          deepest = std::max(deepest, exact.depth({Vec3(from.tip + t * way / kInstants), from.axis}, point));
-        EXPECT_GE(deepest, -wider - 0.5 * way.norm() / kInstants - 1e-8);
+        EXPECT_GE(deepest_on_way(exact, from, way, point), -wider - 1e-8);
       }
     }
   }
@@ -162,8 +171,7 @@ TEST(NamedCut, ContainsNoPointThatIsFartherFromAStraightCutThanTheResolution) {
 TEST(CoaxialCut, ContainsAllThatIsDeepInTheBody) {
   test::Scatter scatter(36);
   const RoundsUpward upward;
-  std::vector<ToolVariants> all = tools::shapes();
-  for (const ToolVariants& tool : tools::all()) all.push_back(tool);
+  const std::vector<ToolVariants> all = every_tool();
   std::size_t within = 0, points = 0;
   for (int k = 0; k < 40'000; ++k) {
     const ToolVariants &mover = all[scatter.below(all.size())], &cutter = all[scatter.below(all.size())];
@@ -194,12 +202,8 @@ TEST(CoaxialCut, ContainsAllThatIsDeepInTheBody) {
       const bool is_in_block = std::abs((point - block.center).dot(frame[2])) <= block.arms[2].norm();
       if (!is_in_block || exact_body.depth(pose, point) < depth) continue;
       ++points;
-      double deepest = -1e9;
       const Vec3 cut_way = poses.last.tip.middle() - cut.tip;
-      constexpr int kInstants = 300;
-      for (int i = 0; i <= kInstants; ++i)
-        deepest = std::max(deepest, exact_cutter.depth({Vec3(cut.tip + i * cut_way / kInstants), cut.axis}, point));
-      EXPECT_GE(deepest, -wider - 0.5 * cut_way.norm() / kInstants - 1e-5);
+      EXPECT_GE(deepest_on_way(exact_cutter, cut, cut_way, point), -wider - 1e-5);
     }
   }
   EXPECT_GT(within, 200U);
