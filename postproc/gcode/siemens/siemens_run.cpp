@@ -80,7 +80,9 @@ void SiemensRun::set(const std::string& variable, double value) {
 // Source: NC programming, 12/2019, p. 559: the folder of the program comes before that of the cycles.
 void SiemensRun::find_replaced_cycle() {
   if (input_.motion.is_rest_unknown()) return;
+  constexpr std::size_t kMinCycleName = 7;  // as CYCLE81; shorter words are looked up once, by the runner
   for (const SiemensWord& word : block_.words) {
+    if (word.name.size() < kMinCycleName) continue;
     const SiemensRow* const row = word.form == SiemensWord::Form::number ? nullptr : find_siemens_row(word.name);
     const bool is_cycle =
         row != nullptr && (row->meaning == SiemensMeaning::drill || row->meaning == SiemensMeaning::swivel ||
