@@ -15,6 +15,9 @@ namespace gouge {
 /// Pose of the tool at one instant, or at any of several.
 struct PoseBounds {
   Bounds3 tip, axis;
+
+  /// Returns the pose in their middle, in plain numbers.
+  [[nodiscard]] Pose middle() const { return {tip.middle(), axis.middle().normalized()}; }
 };
 
 inline constexpr std::size_t kChainJoints = 5;

@@ -9,7 +9,7 @@
 #include "lib/base/number_text.h"
 #include "lib/verify/claimed_pose.h"
 #include "lib/verify/draws.h"
-#include "lib/verify/program_cuts.h"
+#include "lib/verify/named_cut.h"
 #include "lib/verify/witness_check.h"
 
 namespace gouge {
@@ -34,20 +34,19 @@ double depth_in(const ClaimedStock& stock, const Vec3& point) {
 
 }  // namespace
 
-StockVerifier::StockVerifier(const ClaimedStock& stock) : stock_(stock) {
-  for (const ClaimedProgram& program : stock.programs)
-    programs_.push_back(std::make_unique<const ProgramCuts>(program));
-}
+StockVerifier::StockVerifier(const ClaimedStock& stock)
+    : stock_(stock), programs_(std::make_unique<const CutPrograms>(stock.programs)) {}
 StockVerifier::~StockVerifier() = default;
 
 std::optional<std::string> StockVerifier::nearer(const Vec3& point, std::size_t before, double within_mm,
                                                  bool counts_unknown) const {
-  for (const auto& program : programs_) {
-    const bool is_last = program == programs_.back();
-    const auto cut = program->nearer(point, is_last ? before : program->path().moves.size(), within_mm, counts_unknown);
+  for (std::size_t k = 0; k < programs_->size(); ++k) {
+    const ProgramCuts& program = programs_->at(k);
+    const bool is_last = k + 1 == programs_->size();
+    const auto cut = program.nearer(point, is_last ? before : program.path().moves.size(), within_mm, counts_unknown);
     if (!cut) continue;
-    const std::string line = "line " + std::to_string(std::size_t{program->path().moves[*cut].line});
-    return is_last ? line : line + " of " + program->path().file;
+    const std::string line = "line " + std::to_string(std::size_t{program.path().moves[*cut].line});
+    return is_last ? line : line + " of " + program.path().file;
   }
   return std::nullopt;
 }
@@ -56,7 +55,7 @@ std::optional<std::string> StockVerifier::find_fault(std::size_t move, const Mov
   if (!claim.witness) return "it has no witness";
   const ClaimedWitness& w = *claim.witness;
   if (!(w.t >= 0 && w.t <= 1) || !w.point.allFinite()) return "its instant is not of the move, or its point is none";
-  const ProgramCuts& program = *programs_.back();
+  const ProgramCuts& program = programs_->last();
   if (!program.is_known(move)) return "the motion or the tool of its move is not known";
   if (claim.depth_upper_mm && claim.depth_mm > *claim.depth_upper_mm) return "its depth is more than its bound";
   if (!(claim.depth_mm > stock_.tolerance_mm)) return "its depth is no more than the tolerance of the stock";
@@ -76,15 +75,14 @@ std::optional<std::string> StockVerifier::find_fault(std::size_t move, const Mov
 
 std::optional<std::string> StockVerifier::find_wrong_depth(std::size_t move, const MoveClaim& claim) const {
   const ClaimedWitness& w = *claim.witness;
-  const ProgramCuts& program = *programs_.back();
+  const ProgramCuts& program = programs_->last();
   std::vector<double> depths;
   if (w.body == Body::head) {
     const Vec3 at = head_frame(program.scene(), move, w.t, w.turn).inverse().point(w.point);
     for (const SolidDepth& head : stock_.heads) depths.push_back(head.at(at));
     if (depths.empty()) return "it names a head, and there is none";
   } else {
-    const CutterForms& forms = *program.forms_of(move);
-    const ToolContour& body = program.cuts(move) ? forms.non_cutting : forms.whole;
+    const ToolContour& body = program.body_of(move);
     depths.push_back(
         -body.nearest(in_tool(claimed_pose(program.scene(), move, w.t, w.turn), w.point)).signed_distance_mm);
   }
@@ -98,9 +96,8 @@ std::optional<std::string> StockVerifier::find_wrong_depth(std::size_t move, con
 
 std::optional<StockVerifier::Draw> StockVerifier::draw_in_tool(std::size_t move, double t, double least_mm,
                                                                Draws& draws) const {
-  const ProgramCuts& program = *programs_.back();
-  const CutterForms& forms = *program.forms_of(move);
-  const ToolContour& body = program.cuts(move) ? forms.non_cutting : forms.whole;
+  const ProgramCuts& program = programs_->last();
+  const ToolContour& body = program.body_of(move);
   const Pose pose = claimed_pose(program.scene(), move, t);
   const Vec3 x = pose.axis.unitOrthogonal(), y = pose.axis.cross(x);
   const double size = body.size_mm(), angle = 2 * std::numbers::pi * draws.share();
@@ -126,13 +123,13 @@ std::optional<StockVerifier::Draw> StockVerifier::draw_in_head(const SolidDepth&
   }
   const double depth = head.at(q);
   if (depth < least_mm) return std::nullopt;
-  return Draw{head_frame(programs_.back()->scene(), move, t).point(q), depth};
+  return Draw{head_frame(programs_->last().scene(), move, t).point(q), depth};
 }
 
 AttackResult StockVerifier::attack(const std::vector<bool>& is_clear, double seconds) const {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
-  const ProgramCuts& program = *programs_.back();
+  const ProgramCuts& program = programs_->last();
   std::vector<std::size_t> moves;
   for (std::size_t i = 0; i < is_clear.size(); ++i)
     if (is_clear[i] && program.is_known(i)) moves.push_back(i);
@@ -152,8 +149,7 @@ AttackResult StockVerifier::attack(const std::vector<bool>& is_clear, double sec
     const bool cuts = program.cuts(move);
     const bool has_head = !stock_.heads.empty() && draws.below(looks_per_head) == 0;
     const SolidDepth* const head = has_head ? &stock_.heads[draws.below(stock_.heads.size())] : nullptr;
-    const CutterForms& forms = *program.forms_of(move);
-    if (head == nullptr && (cuts ? forms.non_cutting : forms.whole).empty()) continue;
+    if (head == nullptr && program.body_of(move).empty()) continue;
     const double t = program.path().moves[move].has_start ? draws.share() : 1;
     for (std::size_t k = 0; k < kTriesOfPoint; ++k) {
       const std::optional<Draw> drawn =

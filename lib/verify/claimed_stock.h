@@ -14,7 +14,7 @@
 namespace gouge {
 
 class Draws;
-class ProgramCuts;
+class CutPrograms;
 
 /// A program that cuts the stock.
 struct ClaimedProgram {
@@ -73,7 +73,7 @@ class StockVerifier {
                                                   bool counts_unknown) const;
 
   const ClaimedStock& stock_;
-  std::vector<std::unique_ptr<const ProgramCuts>> programs_;
+  std::unique_ptr<const CutPrograms> programs_;
 };
 
 }  // namespace gouge

@@ -18,8 +18,6 @@ constexpr double kStepShare = 0.25;         // instants of a chord are as near t
 constexpr std::uint64_t kMaxHalvings = 12;
 constexpr double kFixedAxis = 1e-9, kStill = 1e-6;
 
-Pose middle_of(const PoseBounds& pose) { return {pose.tip.middle(), pose.axis.middle().normalized()}; }
-
 Pose between(const CutChord& chord, double share) {
   return {(1 - share) * chord.pose0.tip + share * chord.pose1.tip,
           ((1 - share) * chord.pose0.axis + share * chord.pose1.axis).normalized()};
@@ -84,8 +82,8 @@ void CutSearch::append_chords(const MotionPiece& piece, const NamedCut& at, cons
     return;
   }
   const double parts = static_cast<double>(1ULL << at.level), first = static_cast<double>(at.first);
-  chords.push_back({at, is_straight(piece), piece, &cutter, middle_of(piece.start()), middle_of(piece.end()),
-                    first / parts, (first + 1) / parts, 0.5 * (cutter.low_mm() + cutter.high_mm())});
+  chords.push_back({at, is_straight(piece), piece, &cutter, piece.start().middle(), piece.end().middle(), first / parts,
+                    (first + 1) / parts, 0.5 * (cutter.low_mm() + cutter.high_mm())});
 }
 
 // The middle is deepest where it is nearest to the axis, or half-way up the cutter; else at an end of the chord.

@@ -100,9 +100,8 @@ class StockFinder {
     const SpaceBlock section = block.section(upright);
     const TimeSpan instant = at_rest(*pose);
     Coaxial best = Coaxial::no;
-    for (const FoundCut& found :
-         search_.along(on_axis(approximate(time.first->start())), on_axis(*pose),
-                       on_axis(approximate((time.last - 1)->end())), question_.start_of(time))) {
+    for (const FoundCut& found : search_.along(on_axis(time.first->start().middle()), on_axis(*pose),
+                                               on_axis((time.last - 1)->end().middle()), question_.start_of(time))) {
       const auto holds = [&](const SpaceBlock& of, const TimeSpan& span) {
         return is_deep_part_within({question_.body, depth_mm_, of, span}, *found.cutter, found.poses,
                                    question_.resolution_mm);
@@ -123,7 +122,7 @@ class StockFinder {
     if (time.span.path_mm < question_.resolution_mm) return false;
     const Vec3 across = cut.way - cut.way.dot(cut.at.axis) * cut.at.axis;
     return std::ranges::all_of(std::array{time.first->start(), (time.last - 1)->end()}, [&](const PoseBounds& bounds) {
-      const Pose pose = approximate(bounds);
+      const Pose pose = bounds.middle();
       const Vec3 from = pose.tip + height_mm * pose.axis - cut.at.tip;
       Vec3 off = from - from.dot(cut.at.axis) * cut.at.axis;
       if (across.squaredNorm() > 0) off -= off.dot(across) / across.squaredNorm() * across;
@@ -131,11 +130,9 @@ class StockFinder {
     });
   }
 
-  static Pose approximate(const PoseBounds& pose) { return {pose.tip.middle(), pose.axis.middle().normalized()}; }
-
   /// Returns a pose of the time at which the middle of the block is at a height of the body; nothing: it looks for none.
   [[nodiscard]] std::optional<Pose> pose_at_block(const SpaceBlock& block, const ProofTime& time) const {
-    for (const Pose& pose : {time.span.middle, approximate(time.first->start()), approximate((time.last - 1)->end())}) {
+    for (const Pose& pose : {time.span.middle, time.first->start().middle(), (time.last - 1)->end().middle()}) {
       const double height = (block.center - pose.tip).dot(pose.axis);
       if (height >= question_.body.low_mm() && height <= question_.body.high_mm()) return pose;
     }
@@ -165,12 +162,7 @@ class StockFinder {
 
   std::optional<ProofKind> kind_that_holds(const SurfacePatch& patch, const ProofTime& time) {
     using enum ProofKind;
-    const auto holds = [&](ProofKind kind) {
-      const bool is_proved = separation_.holds(kind, depth_mm_);
-      patch_loss_ = separation_.patch_loss_mm();
-      time_loss_ = separation_.time_loss_mm();
-      return is_proved;
-    };
+    const auto holds = [&](ProofKind kind) { return separation_.holds(kind, depth_mm_); };
     if (holds(center_plane)) return center_plane;
     if (question_.body.is_stepped() && holds(center_ring)) return center_ring;
     if (patch.radius_mm + time.span.path_mm < depth_mm_ + 0.01 && holds(exit_point)) return exit_point;
@@ -211,14 +203,14 @@ class StockFinder {
     double vague = 0;
     if (time.span.poses.size() == 1)
       for (const Bounds& tip : time.span.poses[0].tip.v) vague = std::max(vague, tip.sup() - tip.inf());
-    return time_loss_ + 0.1 * moves + vague > patch_loss_ + 0.2 * patch.radius_mm;
+    return separation_.time_loss_mm() + 0.1 * moves + vague > separation_.patch_loss_mm() + 0.2 * patch.radius_mm;
   }
 
   /// Returns whether a point is deeper in the body than the proof permits, at some instants.
   [[nodiscard]] bool is_in_body(const Vec3& point, const ProofTime& time) const {
     constexpr std::ptrdiff_t kLooks = 8;
     const auto is_inside = [&](const PoseBounds& bounds) {
-      return question_.body.nearest(in_tool(approximate(bounds), point)).signed_distance_mm < -depth_mm_;
+      return question_.body.nearest(in_tool(bounds.middle(), point)).signed_distance_mm < -depth_mm_;
     };
     const std::ptrdiff_t count = time.last - time.first, step = (count + kLooks - 1) / kLooks;
     for (std::ptrdiff_t k = 0; k < count; k += step)
@@ -242,7 +234,6 @@ class StockFinder {
   std::uint64_t left_;
   std::string& steps_;
   std::optional<NamedCut> last_;
-  double patch_loss_ = 0, time_loss_ = 0;
 };
 
 }  // namespace

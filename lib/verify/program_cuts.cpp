@@ -30,7 +30,7 @@ struct Approach {
 /// Returns whether the cutter may come that near during a piece of time. `before_mm` bounds the way in twice the piece.
 bool may_come(const MotionPiece& piece, const Approach& asked, double before_mm) {
   const PoseBounds &from = piece.start(), &to = piece.end();
-  const Pose pose{from.tip.middle(), from.axis.middle().normalized()};
+  const Pose pose = from.middle();
   const double distance = asked.cutter.nearest(in_tool(pose, asked.point)).signed_distance_mm;
   if (distance < asked.within_mm) return true;
   const double way = length(to.tip - from.tip).sup() + piece.sag_mm();
@@ -75,6 +75,11 @@ bool ProgramCuts::is_known(std::size_t move) const {
 bool ProgramCuts::cuts(std::size_t move) const {
   const Move& m = path().moves[move];
   return is_known(move) && m.has_start && m.kind != MoveKind::rapid && program_.cuts[m.tool];
+}
+
+const ToolContour& ProgramCuts::body_of(std::size_t move) const {
+  const CutterForms& forms = *forms_of(move);
+  return cuts(move) ? forms.non_cutting : forms.whole;
 }
 
 std::optional<std::size_t> ProgramCuts::nearer(const Vec3& point, std::size_t before, double within_mm,

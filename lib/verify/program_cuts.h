@@ -30,6 +30,8 @@ class ProgramCuts {
   [[nodiscard]] const CutterForms* forms_of(std::size_t move) const;
   [[nodiscard]] bool is_known(std::size_t move) const;
   [[nodiscard]] bool cuts(std::size_t move) const;
+  /// Returns the body that must be clear of stock: the whole tool, or shank and holder of a move that cuts. Requires a tool.
+  [[nodiscard]] const ToolContour& body_of(std::size_t move) const;
 
   /// Returns the first move below `before` whose cutter may come nearer to a point than `within_mm`. A motion that is not
   /// known here may come anywhere, if `counts_unknown`.

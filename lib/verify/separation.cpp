@@ -69,7 +69,7 @@ TimeSpan span_of(const MotionPiece* first, const MotionPiece* last) {
   const PoseBounds middle = last - first == 1 ? PoseBounds{Bounds(0.5) * (begin.tip + span.poses.back().tip),
                                                            begin.axis + span.poses.back().axis}
                                               : (first + (last - first) / 2)->start();
-  span.middle = {middle.tip.middle(), middle.axis.middle().normalized()};
+  span.middle = middle.middle();
   if (last - first > kMaxPoses - 1) {
     PoseBounds all = begin;
     for (const PoseBounds& pose : span.poses) all = {hull(all.tip, pose.tip), hull(all.axis, pose.axis)};

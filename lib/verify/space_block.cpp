@@ -18,15 +18,13 @@ std::array<Vec3, 8> SpaceBlock::corners() const {
 }
 
 double SpaceBlock::radius_mm() const {
-  Bounds sum(0);
-  for (const Vec3& arm : arms) sum += length(Bounds3(arm));
   double diagonal = 0;
-  // The arms are perpendicular but for rounding: opposite corners have the same distance.
+  // Opposite corners have the same distance.
   for (const double y : {-1.0, 1.0})
     for (const double z : {-1.0, 1.0})
       diagonal = std::max(diagonal,
                           length(Bounds3(arms[0]) + Bounds(y) * Bounds3(arms[1]) + Bounds(z) * Bounds3(arms[2])).sup());
-  return std::min(sum.sup(), diagonal);
+  return diagonal;
 }
 
 std::size_t SpaceBlock::longest() const {

@@ -20,7 +20,7 @@ StockClaims::StockClaims(const ClaimedStock& stock, const StockDepths& depths)
 bool StockClaims::is_askable(std::size_t move) const {
   if (stock_.is_motion_open || !stock_.heads.empty() || !depths_[move]) return false;
   const ProgramCuts& program = programs_.last();
-  return program.is_known(move) && body_of(move).is_closed();
+  return program.is_known(move) && program.body_of(move).is_closed();
 }
 
 bool StockClaims::is_alike(std::size_t a, std::size_t b) const {
@@ -33,11 +33,6 @@ bool StockClaims::is_of_clear_move(std::size_t move) const {
   return std::abs(*depths_[move] - stock_.largest_clear_mm()) <= kSame_mm;
 }
 
-const ToolContour& StockClaims::body_of(std::size_t move) const {
-  const CutterForms& forms = *programs_.last().forms_of(move);
-  return programs_.last().cuts(move) ? forms.non_cutting : forms.whole;
-}
-
 class StockClaims::Search final : public ProofSearch {
  public:
   explicit Search(const StockClaims& claims) : claims_(claims), cuts_(claims.programs_, claims.stock_.resolution_mm) {}
@@ -46,8 +41,8 @@ class StockClaims::Search final : public ProofSearch {
     const auto pieces = pieces_of_moves(claims_.programs_.last().scene(), first, count);
     if (!pieces) return false;
     const std::uint64_t tries = count > 1 ? kStockTriesPerMove * count : kStockTriesAlone;
-    return find_stock_proof({claims_.body_of(first), claims_.programs_, claims_.space_, *claims_.depths_[first],
-                             claims_.stock_.resolution_mm, pieces->motion, pieces->of_piece},
+    return find_stock_proof({claims_.programs_.last().body_of(first), claims_.programs_, claims_.space_,
+                             *claims_.depths_[first], claims_.stock_.resolution_mm, pieces->motion, pieces->of_piece},
                             cuts_, tries, steps);
   }
 
@@ -62,8 +57,8 @@ std::optional<ProofRefutation> StockClaims::refute(const ProofGroup& group) cons
   const auto pieces = pieces_of_moves(programs_.last().scene(), group.first, group.count);
   if (!pieces) return ProofRefutation{group.first, Vec3::Zero(), "its motion is not defined"};
   ProofFault fault;
-  if (follow_stock_proof({body_of(group.first), programs_, space_, *depths_[group.first], stock_.resolution_mm,
-                          pieces->motion, pieces->of_piece},
+  if (follow_stock_proof({programs_.last().body_of(group.first), programs_, space_, *depths_[group.first],
+                          stock_.resolution_mm, pieces->motion, pieces->of_piece},
                          group.steps, fault))
     return std::nullopt;
   return ProofRefutation{pieces->of_piece[fault.piece].move, fault.point, fault.what};

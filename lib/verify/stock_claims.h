@@ -32,7 +32,6 @@ class StockClaims final : public ProofSubject {
   class Search;
 
   [[nodiscard]] bool is_of_clear_move(std::size_t move) const;
-  [[nodiscard]] const ToolContour& body_of(std::size_t move) const;
 
   const ClaimedStock& stock_;
   const StockDepths& depths_;

@@ -14,7 +14,7 @@ bool StockProofQuestion::is_empty() const {
 }
 
 SpaceBlock StockProofQuestion::whole_block() const {
-  const Vec3 axis = pieces.front().start().axis.middle().normalized();
+  const Vec3 axis = pieces.front().start().middle().axis;
   const Vec3 way = pieces.back().end().tip.middle() - pieces.front().start().tip.middle();
   return block_around(stock.low(), stock.high(), frame_along(axis, way));
 }

@@ -61,7 +61,8 @@ class Finder {
       return true;
     }
     const double moves = time.span.path_mm + patch_reach(patch, time) * time.span.swing;
-    const double by_time = time_loss_ + 0.1 * moves + vague(time), by_patch = patch_loss_ + 0.2 * patch.radius_mm;
+    const double by_time = separation_.time_loss_mm() + 0.1 * moves + vague(time),
+                 by_patch = separation_.patch_loss_mm() + 0.2 * patch.radius_mm;
     constexpr double kNothing_mm = 1e-10;
     if (patch.radius_mm < kNothing_mm && moves + vague(time) < kNothing_mm) return false;
     if (by_time > by_patch) {
@@ -89,12 +90,7 @@ class Finder {
 
   std::optional<ProofKind> kind_that_holds(const Place& place, const SurfacePatch& patch, const ProofTime& time) {
     using enum ProofKind;
-    const auto holds = [&](ProofKind kind) {
-      const bool is_proved = separation_.holds(kind, depth_mm_);
-      patch_loss_ = separation_.patch_loss_mm();
-      time_loss_ = separation_.time_loss_mm();
-      return is_proved;
-    };
+    const auto holds = [&](ProofKind kind) { return separation_.holds(kind, depth_mm_); };
     if (patch.into.squaredNorm() > 0 && holds(own_plane)) return own_plane;
     if (holds(center_plane)) return center_plane;
     if (place.is_node) return std::nullopt;
@@ -111,7 +107,6 @@ class Finder {
   Separation separation_;
   std::uint64_t left_;
   std::string& steps_;
-  double patch_loss_ = 0, time_loss_ = 0;
 };
 
 class Follower {
