@@ -17,6 +17,8 @@
 #include <string>
 #include <thread>
 
+#include "lib/base/large_pages.h"
+
 namespace gouge {
 namespace {
 
@@ -170,8 +172,10 @@ Pages& pages() {
 PagedLimits set_paged_limits(const PagedLimits& limits) { return pages().set(limits); }
 
 void* allocate_paged(std::size_t bytes) {
-  void* const start = pages().allocate(bytes);
-  return start != nullptr ? start : ::operator new(bytes);
+  if (void* const start = pages().allocate(bytes)) return start;
+  void* const start = ::operator new(bytes);
+  ask_for_large_pages(start, bytes);
+  return start;
 }
 
 void free_paged(void* start, std::size_t bytes) noexcept {

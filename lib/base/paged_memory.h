@@ -18,8 +18,8 @@ struct PagedLimits {
 /// are. Returns the previous limits.
 PagedLimits set_paged_limits(const PagedLimits& limits);
 
-/// Allocates memory whose content is zeros or arbitrary. Uses plain memory if no file can be created (no space, no such
-/// file system). Throws bad_alloc.
+/// Allocates memory whose content is zeros or arbitrary. Uses plain memory, in large pages if the system has them, if no
+/// file can be created (no space, no such file system). Throws bad_alloc.
 [[nodiscard]] void* allocate_paged(std::size_t bytes);
 void free_paged(void* start, std::size_t bytes) noexcept;
 
