@@ -67,7 +67,8 @@ class SiemensLexer {
     constexpr double kMaxCode = 99999;
     const bool is_code = word.value >= 0 && word.value <= kMaxCode;
     if (!is_code) return c_.fail(word.name + " without the number of a code");
-    word.name += exact_text(word.value);
+    const auto number = static_cast<int>(word.value);
+    word.name += number < word.value ? exact_text(word.value) : std::to_string(number);
     word.form = SiemensWord::Form::alone;
   }
 

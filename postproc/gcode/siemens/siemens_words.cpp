@@ -25,12 +25,6 @@ bool is_code_name(std::string_view name) {
   return (name[0] == 'G' || name[0] == 'M') && (name.size() == 1 || is_digit(name[1]));
 }
 
-// Most names are one letter, for which no call of a comparison of texts pays.
-bool is_name(const SiemensWord& word, std::string_view name) {
-  if (word.name.size() != name.size() || word.name[0] != name[0]) return false;
-  return name.size() == 1 || word.name == name;
-}
-
 bool is_of_fixed_point(std::string_view name) {
   return name.size() == 2 && std::string_view("XYZABC").find(name[0]) != std::string_view::npos && name[1] == '1';
 }
@@ -47,20 +41,20 @@ bool is_spindle_code(const SiemensWord& word) {
 
 }  // namespace
 
-const SiemensWord* SiemensWords::find_value(std::string_view address) const {
-  for (const SiemensWord* word : values_)
-    if (is_name(*word, address)) return word;
+const SiemensWord* SiemensWords::find_long_value(std::string_view address) const {
+  for (const SiemensWord* word : long_values_)
+    if (word->name == address) return word;
   return nullptr;
 }
 
 bool SiemensWords::has_axes() const {
   constexpr CapitalSet kAxes("XYZABC");
-  return letters_.has_any(kAxes) || (has_long_ && has_any({"A3", "B3", "C3"}));
+  return letters_.has_any(kAxes) || (!long_values_.empty() && has_any({"A3", "B3", "C3"}));
 }
 
 bool SiemensWords::has_arc_words() const {
   constexpr CapitalSet kCentre("IJK");
-  return letters_.has_any(kCentre) || (has_long_ && has_any({"I1", "J1", "K1", "CR", "AR", "TURN"}));
+  return letters_.has_any(kCentre) || (!long_values_.empty() && has_any({"I1", "J1", "K1", "CR", "AR", "TURN"}));
 }
 
 bool SiemensWords::has_any(std::initializer_list<std::string_view> addresses) const {
@@ -94,23 +88,23 @@ std::string SiemensWords::take_code(const SiemensWord& word, const SiemensRow& r
 std::string SiemensWords::take_value(const SiemensWord& word) {
   if (value(word.name) != nullptr) return word.name + " occurs twice in the block";
   if (!word.text.empty() && word.name != "T" && word.name != "L") return word.name + " has a text in place of a number";
-  if (is_name(word, "M1") && !is_spindle_code(word)) return text_of(word) + " is no code of a spindle";
+  if (word.name == "M1" && !is_spindle_code(word)) return text_of(word) + " is no code of a spindle";
   const bool is_known_address = is_address(word.name) || is_harmless_value(word.name) ||
                                 (is_of_fixed_point(word.name) && code(SiemensMeaning::leave_to_fixed_point) != nullptr);
   if (!is_known_address) return text_of(word) + " is not in the table of Siemens 840D";
-  values_.push_back(&word);
-  if (is_letter(word.name))
-    letters_.add(word.name[0]);
-  else
-    has_long_ = true;
+  if (!is_letter(word.name)) {
+    long_values_.push_back(&word);
+    return {};
+  }
+  letters_.add(word.name[0]);
+  by_letter_.at(index_of(word.name[0])) = &word;
   return {};
 }
 
 std::string SiemensWords::take(const SiemensBlock& block, const std::vector<std::string>& harmless) {
   codes_.clear();
-  values_.clear();
   letters_ = {};
-  has_long_ = false;
+  long_values_.clear();
   called_.clear();
   const auto is_stated_harmless = [&](const SiemensWord& word) {
     return std::ranges::any_of(harmless, [&](const std::string& name) { return in_capitals(name) == word.name; });

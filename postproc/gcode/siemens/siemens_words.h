@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -28,7 +29,8 @@ class SiemensWords {
   [[nodiscard]] const Code* code_of(SiemensGroup group) const;
   /// Returns the word with a value by its address; null: the block has none.
   [[nodiscard]] const SiemensWord* value(std::string_view address) const {
-    return may_have(address) ? find_value(address) : nullptr;
+    if (is_letter(address)) return letters_.has(address[0]) ? by_letter_.at(index_of(address[0])) : nullptr;
+    return long_values_.empty() ? nullptr : find_long_value(address);
   }
   [[nodiscard]] bool has_any(std::initializer_list<std::string_view> addresses) const;
   [[nodiscard]] bool has_path_axes() const { return has_any({"X", "Y", "Z"}); }
@@ -41,18 +43,16 @@ class SiemensWords {
   [[nodiscard]] static bool is_letter(std::string_view address) {
     return address.size() == 1 && is_capital(address[0]);
   }
-  [[nodiscard]] bool may_have(std::string_view address) const {
-    return is_letter(address) ? letters_.has(address[0]) : has_long_;
-  }
-  [[nodiscard]] const SiemensWord* find_value(std::string_view address) const;
+  [[nodiscard]] static std::size_t index_of(char letter) { return static_cast<std::size_t>(letter - 'A'); }
+  [[nodiscard]] const SiemensWord* find_long_value(std::string_view address) const;
   [[nodiscard]] std::string take_code(const SiemensWord& word, const SiemensRow& row);
   [[nodiscard]] std::string take_value(const SiemensWord& word);
   [[nodiscard]] std::string find_conflict() const;
 
   std::vector<Code> codes_;
-  std::vector<const SiemensWord*> values_;
-  CapitalSet letters_;     // addresses of one letter in values_
-  bool has_long_ = false;  // values_ has a longer address
+  CapitalSet letters_;                                 // addresses of one letter that have a value
+  std::array<const SiemensWord*, 26> by_letter_ = {};  // of letters_; others are of earlier blocks
+  std::vector<const SiemensWord*> long_values_;        // of longer addresses
   std::string called_;
 };
 
