@@ -35,8 +35,8 @@ std::optional<NamedCut> take_cut(std::string_view& steps) {
 }
 
 bool is_straight(const MotionPiece& piece) {
-  constexpr double kStraight_mm = 1e-10, kSameAxis = 1e-13;
-  return piece.sag_mm() <= kStraight_mm && length(piece.end().axis - piece.start().axis).sup() <= kSameAxis;
+  constexpr double kStraight_mm = 1e-10, kSteadyAxis = 1e-13;
+  return piece.sag_mm() <= kStraight_mm && length(piece.end().axis - piece.start().axis).sup() <= kSteadyAxis;
 }
 
 CutPrograms::CutPrograms(const std::vector<ClaimedProgram>& programs) {
