@@ -45,8 +45,13 @@ const Case& the_case() {
 
 std::string header() {
   const Case& of = the_case();
-  return to_bytes(
-      {kInputs, of.path.moves.size(), of.parts[0].triangles.size(), 0, of.scene.tolerance_mm, of.scene.resolution_mm});
+  return to_bytes({kInputs,
+                   of.path.moves.size(),
+                   of.parts[0].triangles.size(),
+                   0,
+                   of.scene.tolerance_mm,
+                   of.scene.resolution_mm,
+                   {}});
 }
 
 std::string packed(std::string_view content) {
