@@ -12,8 +12,9 @@ namespace gouge {
 /// Receives the name and the text of a file that was read.
 using FileReceiver = std::function<void(const std::string& file, const std::string& bytes)>;
 
-/// Returns the set-up of a program with the programs beside its file: O77 is O77, O0077 or one of them with an ending such
-/// as .nc. A name that fits several files is no program. `on_read` may be empty.
+/// Returns the set-up of a program with the programs beside its file. O77 means each file of that number, with zeros and
+/// an ending such as .nc or none: o00077.NC. Another name means the file of this name, with such an ending or none.
+/// `on_read` may be empty.
 [[nodiscard]] std::shared_ptr<const ProgramSetup> with_files_beside(const std::shared_ptr<const ProgramSetup>& setup,
                                                                     const std::string& path_file,
                                                                     std::uint64_t max_bytes, FileReceiver on_read);

@@ -49,7 +49,7 @@ ProgramSetup fuzz_setup(std::uint8_t choice, const std::string& text) {
     setup.plain_numbers = PlainNumbers::units;
     setup.tip_frame = TipFrame::table;
     if ((choice & 16U) == 0) setup.start = text.substr(0, text.size() % 64);
-    setup.read_beside = [text](const std::string&) { return text.substr(text.size() / 2); };
+    setup.read_beside = [text](const std::string&) { return std::vector{text.substr(text.size() / 2)}; };
   }
   return setup;
 }

@@ -70,6 +70,11 @@ void ProgramRun::run_block() {
     return control_.syntax.has_o_words ? run_o_word(block_.flow) : run_macro(block_.flow);
   }
   lose_at_system_variable(block_.assignments);
+  const bool is_mixed = control_.syntax.has_macros && !block_.assignments.empty() && !block_.words.empty();
+  if (is_mixed && block_.error.empty())
+    block_.error = "#" + block_.assignments.front().variable +
+                   " is set in a block with other words, and no manual states which counts first; expected a block of "
+                   "its own";
   const NextBlock next = runner_.run(block_, main_->number(main_at_));
   assign(block_.assignments);
   const bool is_lost_end = motion_.is_rest_unknown() && calls_.empty() && runner_.has_end(block_);
@@ -151,8 +156,10 @@ void ProgramRun::call(const NextBlock& next) {
                 " digits, of which the first may be a count of repeats; expected at most " +
                 std::to_string(control_.program_digits) + ", and L for repeats");
   const auto inside = main_->find_label('O', next.target, main_->begin(), main_->end(), true);
-  if (inside) return begin_call(*main_, *inside, next.times, false);
   const ProgramText* const other = beside("O" + std::to_string(next.target));
+  if (inside && other != nullptr)
+    return lose("program O" + std::to_string(next.target) + " is in the file and beside it; expected one of both");
+  if (inside) return begin_call(*main_, *inside, next.times, false);
   if (other == nullptr)
     return lose("program O" + std::to_string(next.target) +
                 " is neither in the file nor beside it; expected one file such as O" + std::to_string(next.target) +
@@ -202,9 +209,10 @@ void ProgramRun::end_call() {
 const ProgramText* ProgramRun::beside(const std::string& name) {
   if (const auto known = besides_.find(name); known != besides_.end()) return &known->second.text();
   if (!setup_.read_beside) return nullptr;
-  std::optional<std::string> text = setup_.read_beside(name);
-  if (!text) return nullptr;
-  return &besides_.try_emplace(name, std::move(*text)).first->second.text();
+  std::vector<std::string> texts = setup_.read_beside(name);
+  if (texts.size() > 1) lose("several files beside the program are called " + name + "; expected one");
+  if (texts.size() != 1) return nullptr;
+  return &besides_.try_emplace(name, std::move(texts.front())).first->second.text();
 }
 
 double ProgramRun::value_of(std::string_view& text) {

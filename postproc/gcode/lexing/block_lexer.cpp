@@ -102,10 +102,14 @@ class BlockLexer {
     ++c_.at;
     bool has_point = false;
     c_.is_rounded = false;
+    const std::size_t begin = std::min(c_.at, c_.text.size());
     if (c_.error.empty())
       made.value = syntax_.has_macros ? read_expression(c_, syntax_, variables_)
                                       : read_value(c_, syntax_, variables_, has_point);
     made.is_rounded = c_.is_rounded;
+    // No manual at hand states whether a value that the block sets already counts.
+    const bool uses_variable = c_.text.substr(begin, c_.at - begin).find('#') != std::string_view::npos;
+    if (syntax_.has_macros && uses_variable && !block_.assignments.empty()) made.value = kUnknownValue;
     block_.assignments.push_back(std::move(made));
   }
 

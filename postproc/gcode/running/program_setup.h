@@ -59,8 +59,8 @@ struct ProgramSetup {
   std::optional<TurnLaw> feed_law;  ///< by which the check moves feeds with tool centre point control
   PlainNumbers plain_numbers = PlainNumbers::not_stated;
   std::optional<Vec3> home_mm;  ///< of X, Y and Z, in machine coordinates
-  /// Returns the text of a program beside the file by its name; nothing: there is none. Empty: none is looked for.
-  std::function<std::optional<std::string>(const std::string& name)> read_beside = {};
+  /// Returns the texts of the files beside the program that a call by this name may mean. Empty: none is looked for.
+  std::function<std::vector<std::string>(const std::string& name)> read_beside = {};
 };
 
 }  // namespace gouge

@@ -179,8 +179,8 @@ std::vector<std::string> SiemensRun::texts_beside(const std::string& name, const
   if (!input_.options.setup.read_beside) return texts;
   for (const std::string& one : {name, in_small_letters(name)})
     for (const std::string& end : {ending, in_small_letters(ending)}) {
-      std::optional<std::string> bytes = input_.options.setup.read_beside(one + "." + end);
-      if (bytes && std::ranges::find(texts, *bytes) == texts.end()) texts.push_back(std::move(*bytes));
+      for (std::string& bytes : input_.options.setup.read_beside(one + "." + end))
+        if (std::ranges::find(texts, bytes) == texts.end()) texts.push_back(std::move(bytes));
     }
   return texts;
 }

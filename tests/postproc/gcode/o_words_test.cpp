@@ -10,8 +10,8 @@ constexpr std::string_view kStart = "G17 G21 G90 G94\nG0 X0 Y0 Z10\nF100\n";
 
 ProgramSetup with_file(const std::string& name, const std::string& text) {
   ProgramSetup setup;
-  setup.read_beside = [name, text](const std::string& asked) -> std::optional<std::string> {
-    return asked == name ? std::optional(text) : std::nullopt;
+  setup.read_beside = [name, text](const std::string& asked) {
+    return asked == name ? std::vector{text} : std::vector<std::string>{};
   };
   return setup;
 }
@@ -62,10 +62,10 @@ TEST(OWordCalls, OfACalledFileReachASubOfTheProgram) {
 
 TEST(OWordCalls, OfACalledFileLookForAFileToo) {
   ProgramSetup setup;
-  setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
-    if (name == "1.ngc") return "o1 sub\no2 call\no1 endsub\n" + sub("2", "-30");
-    if (name == "2.ngc") return sub("2", "30");
-    return std::nullopt;
+  setup.read_beside = [](const std::string& name) -> std::vector<std::string> {
+    if (name == "1.ngc") return std::vector{"o1 sub\no2 call\no1 endsub\n" + sub("2", "-30")};
+    if (name == "2.ngc") return std::vector{sub("2", "30")};
+    return {};
   };
   expect_lost("o1 call\nM2\n", "called before its sub", setup);
 }

@@ -124,8 +124,8 @@ TEST(GcodeReading, RunsMacrosOfFanuc) {
 TEST(GcodeReading, CallsProgramsBesideTheFile) {
   ProgramSetup setup;
   setup.read_beside = [](const std::string& name) {
-    return name == "square.ngc" ? std::optional<std::string>("o<square> sub\nG1 X5 F9\no<square> endsub\n")
-                                : std::nullopt;
+    return name == "square.ngc" ? std::vector<std::string>{"o<square> sub\nG1 X5 F9\no<square> endsub\n"}
+                                : std::vector<std::string>{};
   };
   const Toolpath path = path_of_program("G21 G90 G0 X0 Y0 Z0\no<square> call\nM2\n", "linuxcnc", setup);
   ASSERT_EQ(path.moves.size(), 2u);

@@ -184,17 +184,36 @@ TEST(GcodeWords, OfBlocksThatAreCalledAreOfTheProgramThatRuns) {
 
 TEST(GcodeWords, OfAFileBesideAreThoseOfTheCalledProgram) {
   ProgramSetup setup;
-  setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
-    if (name == "O2000") return "O1999\nX9.\nM99\nO2000\nG1 X7. F9.\nM99\n";
-    if (name == "O3000") return "O3001\nX9.\nM99\n";
-    if (name == "O4000") return "G1 X4. F9.\nM99\n";
-    return std::nullopt;
+  setup.read_beside = [](const std::string& name) -> std::vector<std::string> {
+    if (name == "O2000") return std::vector<std::string>{"O1999\nX9.\nM99\nO2000\nG1 X7. F9.\nM99\n"};
+    if (name == "O3000") return std::vector<std::string>{"O3001\nX9.\nM99\n"};
+    if (name == "O4000") return std::vector<std::string>{"G1 X4. F9.\nM99\n"};
+    return {};
   };
   for (const char* control : {"haas", "fanuc"}) {
     const auto call = [](const char* word) { return program(std::string("M98 ") + word + "\n"); };
     expect_tip(path_of_program(call("P2000"), control, setup).moves.back(), 7, 0, 80);
     expect_tip(path_of_program(call("P4000"), control, setup).moves.back(), 4, 0, 80);
     expect_open(call("P3000") + "", control, "holds another program", setup);
+  }
+}
+
+TEST(GcodeWords, OfACallThatMayMeanTwoProgramsAreNotRead) {
+  ProgramSetup one, two;
+  one.read_beside = [](const std::string&) { return std::vector<std::string>{"G1 X4. F9.\nM99\n"}; };
+  two.read_beside = [](const std::string&) { return std::vector<std::string>{"G1 X4.\nM99\n", "G1 X5.\nM99\n"}; };
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_checked("O1\n" + program("M98 P2\n"), control, one);
+    expect_open("O1\n" + program("M98 P2\n") + "O2\nG1 X7. F9.\nM99\n", control, "is in the file and beside it", one);
+    expect_open("O1\n" + program("M98 P2\n"), control, "several files beside the program are called O2", two);
+  }
+}
+
+TEST(GcodeWords, BesideTheValueOfAVariableAreNotRead) {
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_open(program("#1=5.\n#1=#1+95. G1 X#1 F9.\n"), control, "#1 is set in a block with other words");
+    expect_open(program("#1=5.\n#1=9. #2=#1\nG1 X#2 F9.\n"), control, "not known");
+    expect_checked(program("#1=5. #2=6.\nG1 X#2 F9.\n"), control);
   }
 }
 

@@ -38,8 +38,8 @@ TEST(SiemensFlow, LeadingZerosOfAnRParameterHaveNoMeaning) {
   EXPECT_DOUBLE_EQ(x_after("R1=0\nFOR R02=1 TO 3\nR1=R1+R2\nENDFOR\n"), 6);
   EXPECT_DOUBLE_EQ(x_after("R10=4\nR1=R010\n"), 4);
   ProgramSetup setup;
-  setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
-    return name == "L10.SPF" ? std::optional<std::string>("R01=30\nM17\n") : std::nullopt;
+  setup.read_beside = [](const std::string& name) -> std::vector<std::string> {
+    return name == "L10.SPF" ? std::vector<std::string>{"R01=30\nM17\n"} : std::vector<std::string>{};
   };
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL10\nG1 X=R1 F100\n", setup).x(), 30);
   const auto moves = test::path_of_siemens(kHead + "R5=-6\nR05=-30\nCYCLE81(50,0,2,R5)\nM30\n").moves;
@@ -87,14 +87,14 @@ TEST(SiemensFlow, SectionsAreRepeated) {
 
 TEST(SiemensFlow, SubprogramsBesideTheFileAreRead) {
   ProgramSetup setup;
-  setup.read_beside = [](const std::string& name) -> std::optional<std::string> {
-    if (name == "L010.SPF") return "R1=R1+50\nM17\n";  // zeros are a part of the name
-    if (name == "L10.SPF") return "R1=R1+1\nM17\nR1=100\n";
-    if (name == "GOHOME.SPF" || name == "MYSUB.SPF") return "G1 X7\nM17\n";
-    if (name == "L31.SPF") return "%_N_L32_SPF\nG1 X9\nM17\n%_N_L31_SPF\nG1 X8\nM17\n";
-    if (name == "L33.SPF") return "%_N_L33_SPF\nG1 X6\nM17\n";
-    if (name == "POCKET.SPF") return "PROC POCKET\nG1 X3\nRET\n";
-    return std::nullopt;
+  setup.read_beside = [](const std::string& name) -> std::vector<std::string> {
+    if (name == "L010.SPF") return std::vector<std::string>{"R1=R1+50\nM17\n"};  // zeros are a part of the name
+    if (name == "L10.SPF") return std::vector<std::string>{"R1=R1+1\nM17\nR1=100\n"};
+    if (name == "GOHOME.SPF" || name == "MYSUB.SPF") return std::vector<std::string>{"G1 X7\nM17\n"};
+    if (name == "L31.SPF") return std::vector<std::string>{"%_N_L32_SPF\nG1 X9\nM17\n%_N_L31_SPF\nG1 X8\nM17\n"};
+    if (name == "L33.SPF") return std::vector<std::string>{"%_N_L33_SPF\nG1 X6\nM17\n"};
+    if (name == "POCKET.SPF") return std::vector<std::string>{"PROC POCKET\nG1 X3\nRET\n"};
+    return {};
   };
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL10 P3\nG1 X=R1 F100\n", setup).x(), 3);
   EXPECT_DOUBLE_EQ(tip_after("R1=0\nL010\nG1 X=R1 F100\n", setup).x(), 50);

@@ -52,7 +52,7 @@ TEST(SiemensFlowTraps, ProgramsOfTheNameOfACycle) {
   for (const char* file : {"CYCLE81.SPF", "CYCLE81.spf", "CYCLE81.MPF", "cycle81.spf"}) {
     ProgramSetup setup;
     setup.read_beside = [file](const std::string& name) {
-      return name == file ? std::optional<std::string>("G0 X50\nM17\n") : std::nullopt;
+      return name == file ? std::vector<std::string>{"G0 X50\nM17\n"} : std::vector<std::string>{};
     };
     expect_open("CYCLE81(10,0,3,-6)\nG1 X1 F100", "may run in place of the cycle", setup);
     expect_open("MCALL CYCLE81(10,0,3,-6)\nG1 X1 F100\nMCALL", "may run in place of the cycle", setup);
@@ -61,7 +61,7 @@ TEST(SiemensFlowTraps, ProgramsOfTheNameOfACycle) {
   const auto read = [](const std::string& wanted, const std::string& call) {
     ProgramSetup setup;
     setup.read_beside = [wanted](const std::string& name) {
-      return name == wanted ? std::optional<std::string>("M17\n") : std::nullopt;
+      return name == wanted ? std::vector<std::string>{"M17\n"} : std::vector<std::string>{};
     };
     return test::reasons_of(test::read_siemens(kHead + call + "\nG1 X1 F100\nM30\n", setup));
   };
@@ -74,9 +74,9 @@ TEST(SiemensFlowTraps, ProgramsOfTheNameOfACycle) {
 TEST(SiemensFlowTraps, ProgramsWhoseNamesDifferByTheirLettersAlone) {
   const auto setup_of = [](const std::string& small) {
     ProgramSetup setup;
-    setup.read_beside = [small](const std::string& name) -> std::optional<std::string> {
-      if (name == "L10.SPF") return "G1 X5 F100\nM17\n";
-      return name == "l10.spf" ? std::optional(small) : std::nullopt;
+    setup.read_beside = [small](const std::string& name) -> std::vector<std::string> {
+      if (name == "L10.SPF") return std::vector<std::string>{"G1 X5 F100\nM17\n"};
+      return name == "l10.spf" ? std::vector<std::string>{small} : std::vector<std::string>{};
     };
     return setup;
   };

@@ -290,7 +290,7 @@ TEST(SiemensTraps, G500BeforeTheOffsetOfThePart) {
 
 TEST(SiemensTraps, TheEndOfAProgramInASubprogram) {
   ProgramSetup setup;
-  setup.read_beside = [](const std::string&) { return std::optional<std::string>("G1 X5 F100\nM30\n"); };
+  setup.read_beside = [](const std::string&) { return std::vector<std::string>{"G1 X5 F100\nM30\n"}; };
   expect_open("L5\nG1 X1 F100", "in a subprogram", setup);
   expect_open("R2=3\nFOR R1=1 TO R2\nR2=5\nENDFOR\nG1 X1 F100", "a limit of FOR changes");
 }

@@ -1,0 +1,63 @@
+#include "cli/machine/program_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lib/base/files.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Texts = std::vector<std::string>;
+
+class ProgramFiles : public ::testing::Test {
+ protected:
+  ProgramFiles() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / ("gouge_" + std::string(info->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "O9.nc");  // a folder is no program
+  }
+  ~ProgramFiles() override { fs::remove_all(folder_); }
+
+  /// Writes files that hold their names.
+  void add(const Texts& names) const {
+    for (const std::string& name : names) ASSERT_TRUE(write_file((folder_ / name).string(), name));
+  }
+  [[nodiscard]] Texts called(const std::string& name) const {
+    return with_files_beside({}, (folder_ / "main.nc").string(), 1000, {})->read_beside(name);
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ProgramFiles, OfANumberHaveAnyZerosAndEndings) {
+  for (const char* file : {"O2", "O0002.nc", "o00002.NC", "O2.txt", "O002.cnc"}) {
+    add({file});
+    EXPECT_EQ(called("O2"), Texts{file});
+    fs::remove(folder_ / file);
+  }
+  add({"O20.nc", "O2.bak", "O2a.nc", "2.nc"});
+  EXPECT_EQ(called("O2"), Texts{});
+  EXPECT_EQ(called("O9"), Texts{});
+}
+
+TEST_F(ProgramFiles, ThatMayBothBeMeantAreBothRead) {
+  add({"O2.nc", "O00002.nc"});
+  EXPECT_EQ(called("O2"), (Texts{"O00002.nc", "O2.nc"}));
+}
+
+TEST_F(ProgramFiles, OfANameWithAnEndingAreThatFileAlone) {
+  add({"pos.ngc", "pos.ngc.nc", "pos.nc", "POS.ngc"});
+  EXPECT_EQ(called("pos.ngc"), Texts{"pos.ngc"});
+  EXPECT_EQ(called("pos"), (Texts{"pos.nc", "pos.ngc"}));
+  EXPECT_EQ(called("../pos.ngc"), Texts{});
+}
+
+}  // namespace
+}  // namespace gouge
