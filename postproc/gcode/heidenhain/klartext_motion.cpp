@@ -97,6 +97,17 @@ void KlartextRunner::run_block(const PathWords& words, const Target& to) {
   run_line(words.is_rapid ? MoveKind::rapid : MoveKind::feed, to);
 }
 
+// Takes a coordinate for the roundings of steps. Returns why its place is not known; empty: it is.
+std::string KlartextRunner::round_step(std::size_t axis, const PathCoordinate& word, double unit,
+                                       const std::string& name) {
+  constexpr double kIncrement = 0.0001;  // mm, inches or degrees
+  if (word.is_step)
+    rounding_.add(axis, word.value * unit, kIncrement * unit);
+  else
+    rounding_.end(axis);
+  return rounding_.why_open(axis, "I" + name);
+}
+
 KlartextRunner::Target KlartextRunner::target(const PathWords& words) {
   Target to{motion_.place(), {}};
   to.place.xyz = place();
@@ -107,6 +118,10 @@ KlartextRunner::Target KlartextRunner::target(const PathWords& words) {
     own = word->is_step ? own + length(word->value) : length(word->value);
     if (!is_known(word->value)) to.open = std::string("the value of ") + "XYZ"[i] + " is not known";
     if (!word->is_step) is_moved_.at(i) = false;
+    if (const std::string drift = round_step(i, *word, length(1), std::string(1, "XYZ"[i])); !drift.empty()) {
+      own = kUnknownValue;
+      to.open = drift;
+    }
     if (!is_moved_.at(i)) continue;
     own = kUnknownValue;
     to.open = std::string("I") + "XYZ"[i] + " is a step after a change of the frame; expected an absolute " + "XYZ"[i] +
@@ -160,6 +175,9 @@ void KlartextRunner::aim_joint(std::size_t rotary, const PathCoordinate& word, b
   double& angle = to.place.angles.at(rotary);
   const double before = angle;
   if (!is_known(word.value)) to.open = "the value of a rotary axis is not known";
+  const std::string& name = setup_.machine->joints[setup_.machine->rotary.at(rotary)].name;
+  if (const std::string drift = round_step(StepRounding::kFirstRotary + rotary, word, 1, name); !drift.empty())
+    to.open = drift;
   if (word.is_step) {
     angle = before + word.value * kDegree_rad;
     return;
@@ -252,9 +270,15 @@ KlartextRunner::Target KlartextRunner::polar_target(const PathWords& words) {
   double radius = polar_ ? polar_->radius : unknown, angle = polar_ ? polar_->angle : unknown;
   if (const auto& word = words.polar_radius) radius = length(word->value) + (word->is_step ? radius : 0);
   if (const auto& word = words.polar_angle) angle = word->value + (word->is_step ? angle : 0);
+  std::string drift = words.polar_radius ? round_step(0, *words.polar_radius, length(1), "PR") : "";
+  if (drift.empty() && words.polar_angle) drift = round_step(1, *words.polar_angle, 1, "PA");
   const std::array<double, 2> pole = pole_.value_or(std::array<double, 2>{unknown, unknown});
   to.place.xyz.x() = pole[0] + radius * std::cos(angle * kDegree_rad);
   to.place.xyz.y() = pole[1] + radius * std::sin(angle * kDegree_rad);
+  if (!drift.empty()) {
+    to.place.xyz.head<2>().setConstant(unknown);
+    to.open = drift;
+  }
   if (words.xyz[0] || words.xyz[1]) to.open = "a block states both X or Y and polar coordinates";
   if (words.function(Meaning::machine_place) != nullptr) to.open = "polar coordinates of a place of the machine";
   if (to.place.xyz.head<2>().hasNaN() && to.open.empty()) to.open = "the pole, the radius or the angle is not known";

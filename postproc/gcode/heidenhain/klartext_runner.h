@@ -13,6 +13,7 @@
 #include "postproc/gcode/heidenhain/q_parameters.h"
 #include "postproc/gcode/running/arc_words.h"
 #include "postproc/gcode/running/program_language.h"
+#include "postproc/gcode/running/step_rounding.h"
 
 namespace gouge {
 
@@ -103,6 +104,8 @@ class KlartextRunner {
   void run_unchecked(MoveKind kind, const Target& to, const std::string& reason);
   [[nodiscard]] std::string why_corner_open() const;
   [[nodiscard]] Target target(const PathWords& words);
+  [[nodiscard]] std::string round_step(std::size_t axis, const PathCoordinate& word, double unit,
+                                       const std::string& name);
   [[nodiscard]] Target polar_target(const PathWords& words);
   void activate_rotation(const PathWords& words, Target& to);
   void aim_rotary(const PathWords& words, Target& to);
@@ -144,10 +147,11 @@ class KlartextRunner {
   std::array<int, 2> step_{};                  // cycle and step that a numbered cycle has defined last; cycle 0: none
   bool needs_step_ = false;                    // a numbered cycle has no values yet
   bool takes_shortest_ = false;                // M126
-  std::array<bool, 2> is_turn_open_{};         // of rotary joints: M126 may have left the count of turns or not
-  std::size_t rotation_line_ = 0;              // of a rotation that is not active for both axes of the plane; 0: none
-  std::array<bool, 3> is_moved_{};             // the frame changed after the last absolute coordinate of the axis
-  bool has_several_lines_ = false;             // the block that runs
+  StepRounding rounding_;
+  std::array<bool, 2> is_turn_open_{};  // of rotary joints: M126 may have left the count of turns or not
+  std::size_t rotation_line_ = 0;       // of a rotation that is not active for both axes of the plane; 0: none
+  std::array<bool, 3> is_moved_{};      // the frame changed after the last absolute coordinate of the axis
+  bool has_several_lines_ = false;      // the block that runs
   bool has_preset_ = false;
   bool has_begun_ = false, has_ended_ = false;
   bool is_cut_ = false;          // a block follows that rounds the end of this motion

@@ -49,7 +49,7 @@ void BlockRunner::drill(const GcodeRow& row) {
 }
 
 // Times that the block drills. None: L0 or K0, or no whole number.
-std::optional<int> BlockRunner::times_of_cycle() {
+std::optional<int> BlockRunner::times_of_cycle() const {
   constexpr int kMaxTimes = 10'000;
   for (const char letter : {'L', 'K'}) {
     if (!words_.has(letter)) continue;

@@ -61,10 +61,11 @@ void BlockRunner::go_home(const GcodeRow& row) {
   motion_.go(MoveKind::rapid, home);
 }
 
-// Whether and when the length comes back is chosen by parameters of the control.
+// Whether and when the length comes back is chosen by parameters of the control. No manual at hand limits the end of the
+// length by G28 to a motion of Z.
 void BlockRunner::end_length_by(const GcodeRow& row) {
-  const bool moves_z = words_.is_axis('Z') || !words_.has_axes();
-  if (!row.cancels_length || !moves_z) return;
+  const bool may_end = row.meaning == GcodeMeaning::home || words_.is_axis('Z');
+  if (!row.cancels_length || !may_end) return;
   motion_.lose_length(code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
                       " cancels the tool length; expected G43 after it");
 }

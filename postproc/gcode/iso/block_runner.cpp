@@ -261,11 +261,49 @@ double BlockRunner::number(char letter, double plain_increment) {
 
 double BlockRunner::length(char letter) {
   if (!modes_.unit && std::abs(words_.value(letter)) > 0) has_assumed_unit_ = true;
+  return number(letter, increment_mm() / mm_per_unit()) * mm_per_unit();
+}
+
+double BlockRunner::increment_mm() const {
   constexpr double kIncrement_mm = 0.001, kIncrement_inch = 0.0001;
-  return number(letter, modes_.unit == LengthUnit::inch ? kIncrement_inch : kIncrement_mm) * mm_per_unit();
+  return modes_.unit == LengthUnit::inch ? kIncrement_inch * mm_per_unit() : kIncrement_mm;
+}
+
+std::string BlockRunner::round_step(std::size_t axis, char letter, double value, double increment) {
+  if (modes_.is_absolute != false) {
+    rounding_.end(axis);
+    return {};
+  }
+  if (index_.control().rounds_steps) rounding_.add(axis, value, increment, times_of_steps());
+  return rounding_.why_open(axis, std::string_view(&letter, 1));
+}
+
+// A block of a cycle makes its steps as often as it drills.
+int BlockRunner::times_of_steps() const {
+  const bool is_cycle = modes_.motion != nullptr && modes_.motion->meaning == Meaning::cycle;
+  return is_cycle ? std::max(times_of_cycle().value_or(1), 1) : 1;
+}
+
+// Which of both takes the axis words is not stated; LinuxCNC refuses one in a block with the other.
+std::string BlockRunner::why_cycle_open() const {
+  const GcodeRow *const stated = words_.row_of(ModalGroup::motion), *const own = find_own_motion();
+  const GcodeRow* const motion = stated != nullptr ? stated : modes_.motion;
+  const bool is_cycle = motion != nullptr && motion->meaning == Meaning::cycle && own != nullptr &&
+                        words_.row_of(ModalGroup::cycle_end) == nullptr;
+  if (!is_cycle || (stated == nullptr && !index_.control().syntax.has_macros)) return {};
+  return code_text(own->letter, own->number) + " while the cycle " + code_text(motion->letter, motion->number) +
+         " is in force; expected G80 before it";
+}
+
+// The code of the block that moves to a place of the machine; null: none.
+const GcodeRow* BlockRunner::find_own_motion() const {
+  for (const GcodeRow* row : words_.rows())
+    if (row->meaning == Meaning::home || row->meaning == Meaning::machine_place) return row;
+  return nullptr;
 }
 
 void BlockRunner::move() {
+  if (const std::string open = why_cycle_open(); !open.empty()) return lose_rest(open, line_);
   for (const GcodeRow* row : words_.rows()) {
     if (row->meaning == Meaning::home) {
       motion_.run_by_machine([&] { go_home(*row); });
@@ -292,6 +330,9 @@ void BlockRunner::move() {
       cycle_.start_mm = motion_.place().xyz.z();
       cycle_.open.clear();
     }
+    const bool is_at_other_level = std::abs(motion_.place().xyz.z() - cycle_.start_mm) > 0;
+    if (!begins && stated->meaning == Meaning::cycle && is_at_other_level && index_.control().levels_may_be_new)
+      cycle_.open = "the cycle begins while another one is in force, at another level than that one; expected G80";
     if (stated->meaning == Meaning::cycle && stated != modes_.motion) cycle_.r_mm = cycle_.z_mm = std::nullopt;
     modes_.motion = stated->meaning == Meaning::no_motion ? nullptr : stated;
   } else if (words_.row_of(ModalGroup::cycle_end) != nullptr) {
@@ -366,7 +407,9 @@ BlockRunner::Target BlockRunner::target() {
     const double value = length(letter);
     if (!is_absolute && !is_known(to.place.xyz[i])) motion_.note_unknown_step();
     to.place.xyz[i] = is_absolute ? value : to.place.xyz[i] + value;
-    if (!modes_.is_absolute) to.place.xyz[i] = kUnknownValue;
+    const std::string drift = round_step(static_cast<std::size_t>(i), letter, value, increment_mm());
+    if (lost_.empty()) lost_ = drift;
+    if (!modes_.is_absolute || !drift.empty()) to.place.xyz[i] = kUnknownValue;
   }
   for (const char letter : {'A', 'B', 'C'}) {
     if (!words_.is_axis(letter)) continue;
@@ -376,10 +419,13 @@ BlockRunner::Target BlockRunner::target() {
       return to;
     }
     double& angle = to.place.angles.at(*rotary);
-    const double degrees = number(letter, 0.001);
+    constexpr double kIncrement_deg = 0.001;
+    const double degrees = number(letter, kIncrement_deg);
     const double before = angle;
     angle = is_absolute ? motion_.angle_from_program(*rotary, degrees) : angle + degrees * kDegree_rad;
-    if (!modes_.is_absolute) angle = kUnknownValue;
+    const std::string drift = round_step(StepRounding::kFirstRotary + *rotary, letter, degrees, kIncrement_deg);
+    if (lost_.empty()) lost_ = drift;
+    if (!modes_.is_absolute || !drift.empty()) angle = kUnknownValue;
     const bool may_turn_otherwise = modes_.is_absolute == true && !setup_.winds_as_programmed.value_or(false) &&
                                     !is_turn_stated(*rotary, degrees, (angle - before) / kDegree_rad);
     if (may_turn_otherwise)

@@ -9,6 +9,7 @@
 #include "postproc/gcode/iso/block_words.h"
 #include "postproc/gcode/running/arc_words.h"
 #include "postproc/gcode/running/program_language.h"
+#include "postproc/gcode/running/step_rounding.h"
 
 namespace gouge {
 
@@ -89,6 +90,8 @@ class BlockRunner {
   [[nodiscard]] NextBlock take_flow();
 
   void move();
+  [[nodiscard]] std::string why_cycle_open() const;
+  [[nodiscard]] const GcodeRow* find_own_motion() const;
   void move_to_machine_place();
   void go_home(const GcodeRow& row);
   void end_length_by(const GcodeRow& row);
@@ -97,12 +100,16 @@ class BlockRunner {
   void drill(const GcodeRow& row);
   void drill_at(const GcodeCycle& cycle, const Target& at, const Vec3& step_mm);
   [[nodiscard]] std::string why_not_drilled(const GcodeCycle& cycle, int times);
-  [[nodiscard]] std::optional<int> times_of_cycle();
+  [[nodiscard]] std::optional<int> times_of_cycle() const;
+  [[nodiscard]] int times_of_steps() const;
 
   [[nodiscard]] Target target();
   [[nodiscard]] bool is_turn_stated(std::size_t rotary, double degrees, double way_deg) const;
   [[nodiscard]] double number(char letter, double plain_increment_mm);
   [[nodiscard]] double length(char letter);
+  [[nodiscard]] double increment_mm() const;
+  /// Takes the word of an axis for the roundings of steps. Returns why its place is not known; empty: it is.
+  [[nodiscard]] std::string round_step(std::size_t axis, char letter, double value, double increment);
   [[nodiscard]] double mm_per_unit() const { return mm_per(modes_.unit.value_or(LengthUnit::mm)); }
   [[nodiscard]] std::string why_angle_open(std::size_t rotary, double angle_rad) const;
   void set_feed();
@@ -115,6 +122,7 @@ class BlockRunner {
   BlockWords words_;
   GcodeModes modes_;
   DrillState cycle_;
+  StepRounding rounding_;
   std::optional<Diagnostic> error_;
   std::string lost_;  // why a number of the block is not known
   std::size_t line_ = 0, unit_line_ = 0, offset_line_ = 0, lost_line_ = kNone;

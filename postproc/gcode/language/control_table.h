@@ -83,7 +83,7 @@ struct GcodeRow {
   bool takes_axes = true;        ///< axis words may be in its block
   std::string_view note = {};    ///< reason of not_checked
   std::string_view source = {};  ///< manual and page
-  bool cancels_length = false;   ///< its motion of Z, or of all axes, ends the tool length
+  bool cancels_length = false;   ///< its motion may end the tool length; that of machine_place only if Z moves
   /// Words of blending whose sum is the distance. The first must be above 0; else the distance is not known.
   std::string_view distance = {};
 };
@@ -139,9 +139,11 @@ struct ControlTable {
   std::string_view always;              ///< addresses that every block may have
   std::string_view start;               ///< blocks in force at the start by the manual; others must be stated
   std::string_view length_motion = {};  ///< parameter that states whether a code of length moves Z; empty: it does not
+  bool rounds_steps = true;             ///< incremental words round to an increment
   bool cycles_follow_mode = false;      ///< G90 and G91 of the block that drills count for R and Z stated before it
   bool cycles_count_from_start =
       true;                         ///< R of G91 counts from the level at which the cycle began; else from the present
+  bool levels_may_be_new = false;   ///< the level of G98 may be that before a cycle that follows another one
   bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle
   RotaryTurns turns = RotaryTurns::may_be_shorter;  ///< of absolute rotary words
   bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it

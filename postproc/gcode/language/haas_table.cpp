@@ -19,7 +19,7 @@ constexpr auto kHaasRows = std::to_array<GcodeRow>({
     {'G', 10, feed, Group::motion, "", true, "", kHaasCodes},
     {'G', 20, arc_clockwise, Group::motion, "IJKR", true, "", kHaasCodes},
     {'G', 30, arc_counterclockwise, Group::motion, "IJKR", true, "", kHaasCodes},
-    {'G', 40, harmless, Group::none, "PX", false, "", kHaasCodes},
+    {'G', 40, harmless, Group::none, "P", false, "", kHaasCodes},
     {'G', 90, harmless, Group::none, "", true, "", kHaasCodes},
     {'G', 170, plane_xy, Group::plane, "", true, "", kHaasCodes},
     {'G', 180, plane_zx, Group::plane, "", true, "", kHaasCodes},
@@ -160,6 +160,7 @@ const ControlTable& haas_table() {
       .always = "FSTD",
       .start = "G54 G80 G98",
 
+      .levels_may_be_new = true,
       .has_tip_frame_of_table = true,
       // No manual at hand states a feed to them; a rapid may leave the line, so that it is the wider reading.
       .takes_rapids_to_machine_places = true,

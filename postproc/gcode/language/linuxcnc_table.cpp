@@ -108,6 +108,7 @@ const ControlTable& linuxcnc_table() {
       .cycles = kLinuxcncCycles,
       .always = "FST",
       .start = "G17 G40 G49 G54 G64 G80 G90 G91.1 G94",
+      .rounds_steps = false,
       .cycles_follow_mode = true,
       .cycles_count_from_start = false,
       .has_default_length = true,

@@ -104,8 +104,23 @@ void SiemensRunner::place_axes(Target& to) {
       to.open = "a step of " + word->name +
                 " after a change of frame or length: a setting of the control states whether it includes the change";
     if (!is_step) modes_.is_moved[i] = 0;
+    const std::string drift = round_step(static_cast<std::size_t>(i), *word, stated, increment_mm());
+    if (!drift.empty()) to.open = drift;
     if (!to.open.empty()) to.place.xyz[i] = kUnknownValue;
   }
+}
+
+double SiemensRunner::increment_mm() const {
+  constexpr double kIncrement_mm = 0.001, kIncrement_inch = 0.0001;
+  return modes_.unit == LengthUnit::inch ? kIncrement_inch * mm_per_unit() : kIncrement_mm;
+}
+
+std::string SiemensRunner::round_step(std::size_t axis, const SiemensWord& word, double value, double increment) {
+  if (is_incremental(word))
+    modes_.rounding.add(axis, value, increment);
+  else
+    modes_.rounding.end(axis);
+  return modes_.rounding.why_open(axis, word.name);
 }
 
 void SiemensRunner::place_rotaries(Target& to) {
@@ -119,6 +134,9 @@ void SiemensRunner::place_rotaries(Target& to) {
     }
     const double before = to.place.angles.at(*rotary), angle = turned(*word, *rotary, to);
     settle_turn(*word, *rotary, before, angle, to);
+    constexpr double kIncrement_deg = 0.001;
+    const std::string drift = round_step(StepRounding::kFirstRotary + *rotary, *word, word->value, kIncrement_deg);
+    if (!drift.empty()) to.open = drift;
     to.place.angles.at(*rotary) = angle;
     to.place.axis.reset();
   }

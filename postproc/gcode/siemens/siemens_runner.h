@@ -8,6 +8,7 @@
 #include "lib/base/units.h"
 #include "postproc/gcode/running/arc_words.h"
 #include "postproc/gcode/running/program_language.h"
+#include "postproc/gcode/running/step_rounding.h"
 #include "postproc/gcode/siemens/siemens_words.h"
 
 namespace gouge {
@@ -61,6 +62,7 @@ struct SiemensModes {
   std::optional<SiemensWord> modal_cycle;  ///< of MCALL
   std::string open_modal_cycle;            ///< why its arguments are not known any more; empty: they are
   std::array<bool, 2> is_turn_open{};      ///< of rotary joints: DC, ACP or ACN took them beyond a turn, counted or not
+  StepRounding rounding;
   Vec3 is_moved = Vec3::Zero();  ///< 1: the frame or the length changed after the last absolute word of the axis
 };
 
@@ -121,6 +123,9 @@ class SiemensRunner {
   [[nodiscard]] Target target();
   void place_axes(Target& to);
   void place_rotaries(Target& to);
+  [[nodiscard]] double increment_mm() const;
+  /// Takes the word of an axis for the roundings of steps. Returns why its place is not known; empty: it is.
+  [[nodiscard]] std::string round_step(std::size_t axis, const SiemensWord& word, double value, double increment);
   void place_vector(Target& to);
   void settle_turn(const SiemensWord& word, std::size_t rotary, double before, double angle, Target& to);
   [[nodiscard]] double turned(const SiemensWord& word, std::size_t rotary, Target& to) const;

@@ -18,7 +18,7 @@ ProgramSetup measured() {
 std::string program(const std::string& blocks) { return kStart + blocks + "M30\n"; }
 
 TEST(GcodeEffects, MotionsToTheMachineCancelTheLength) {
-  for (const char* block : {"G91 G28 Z0.\nG90\n", "G28 X0. Y0. Z90.\n", "G91 G30 Z0.\nG90\n"}) {
+  for (const char* block : {"G91 G28 Z0.\nG90\n", "G28 X0. Y0. Z90.\n", "G91 G30 Z0.\nG90\n", "G91 G28 X0.\nG90\n"}) {
     for (const char* control : {"haas", "fanuc"}) {
       expect_open(program(std::string(block) + "G0 X5.\nG0 Z50.\n"), control, "cancels the tool length", measured());
       const std::string again = program(std::string(block) + "G43 H1\nG0 X5.\nG0 Y0.\nG0 Z50.\nG1 Z40. F9.\n");
@@ -30,6 +30,28 @@ TEST(GcodeEffects, MotionsToTheMachineCancelTheLength) {
   expect_checked(program("G53 Z300.\nG0 Z50.\n"), "haas", measured());
   expect_checked(program("G53 X30.\nG0 Z50.\n"), "fanuc", measured());
   expect_checked(program("G91 G28 Z0.\nG90 G0 X5.\nG0 Z50.\n"), "linuxcnc", measured());
+}
+
+// A block with both could move to the machine, drill, or do both.
+TEST(GcodeEffects, MotionsToTheMachineEndBeforeACycle) {
+  const std::string cycle = "G98 G81 X5. Z50. R70. F9.\n";
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_open(program("G53 G81 X5. Z50. R70. F9.\n"), control, "G53 while the cycle G81", measured());
+    expect_open(program("G28 G81 Z50. R70. F9.\n"), control, "G28 while the cycle G81", measured());
+    expect_open(program(cycle + "G53 X5.\n"), control, "expected G80 before it", measured());
+    expect_open(program(cycle + "G91 G28 Z0.\n"), control, "expected G80 before it", measured());
+    for (const char* end : {"G80\nG53 X5.\n", "G0 G53 X5.\n", "G80 G53 X5.\n"})
+      EXPECT_EQ(reasons_of(read_program(program(cycle + end), control, measured())).find("while the cycle"),
+                std::string::npos)
+          << end;
+  }
+}
+
+TEST(GcodeEffects, TheLevelOfACycleThatFollowsAnotherMayBeNew) {
+  const std::string text = "G99 G81 X5. Z50. R70. F9.\nG98 G81 X6.\n";
+  expect_open(program(text + "Z50. R70.\n"), "haas", "begins while another one is in force", measured());
+  expect_checked(program("G99 G81 X5. Z50. R70. F9.\nG98 G82 X6. Z50. R70.\n"), "fanuc", measured());
+  expect_checked(program("G98 G81 X5. Z50. R70. F9.\nG98 G82 X6. Z50. R70.\n"), "haas", measured());
 }
 
 // The usual end of a program: the second motion does not depend on the length that the first has ended.
