@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/number_text.h"
 #include "lib/mesh/ascii_stl.h"
 #include "lib/mesh/binary_stl.h"
@@ -16,30 +17,6 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kLinesLookedAt = 50;
-
-struct Beginning {
-  std::string_view text, sentence;
-};
-
-constexpr std::array<Beginning, 5> kBinaries = {{
-    {"PK\x03\x04", "is a ZIP archive (3MF is one too); unpack it, or save the part as STL"},
-    {"\x89PNG", "is a picture (PNG); expected an STL file"},
-    {"\xff\xd8\xff", "is a picture (JPEG); expected an STL file"},
-    {"%PDF", "is a PDF document; expected an STL file"},
-    {"\x1f\x8b", "is compressed (gzip); unpack it first"},
-}};
-
-constexpr std::array<Beginning, 5> kTexts = {{
-    {"ISO-10303-21", "is STEP, exact geometry without triangles; save the part as STL in the CAD system"},
-    {"ply", "is a PLY mesh; save it as STL"},
-    {"OFF", "is an OFF mesh; save it as STL"},
-    {"<?xml", "is XML; expected an STL file"},
-    {"{", "is JSON; expected an STL file"},
-}};
-
-// Words that begin lines of CL data in any dialect.
-constexpr std::array<std::string_view, 7> kPathWords = {"GOTO",   "TOOL PATH/", "PARTNO", "LOADTL",
-                                                        "CUTTER", "MULTAX",     "UNITS"};
 
 constexpr std::array<std::string_view, 2> kObjWords = {"v ", "mtllib "};
 
@@ -56,27 +33,54 @@ bool begins_with_one(std::string_view line, const std::array<std::string_view, n
   return false;
 }
 
-/// Returns the format of `bytes`, as the rest of a sentence that begins with "the file" ("is STEP, ..."). Returns a
-/// name only if the bytes certainly are another format that users mistake for STL; else nothing. The header of a binary
-/// STL may hold any words. So words are tested only if `is_text`: the first bytes have no control characters. Examines
-/// only the first lines.
-std::optional<std::string> describe_foreign_mesh(std::string_view bytes, bool is_text) {
-  for (const Beginning& beginning : kBinaries) {
-    if (bytes.starts_with(beginning.text)) return std::string(beginning.sentence);
+std::string advice_for(const FileKind& kind) {
+  switch (kind.family) {
+    case FileFamily::solid:
+      return "exact geometry without triangles; save the part as STL in the CAD system";
+    case FileFamily::mesh:
+      return "save it as STL";
+    case FileFamily::archive:
+      return "unpack it, or save the part as STL";
+    case FileFamily::document:
+    case FileFamily::text:
+      return "expected an STL file";
+    case FileFamily::stand_in:
+      return std::string(kind.advice);
   }
-  if (!is_text) return std::nullopt;
-  const std::string_view text = without_blanks_before(bytes);
-  for (const Beginning& beginning : kTexts) {
-    if (text.starts_with(beginning.text)) return std::string(beginning.sentence);
-  }
+  return {};
+}
+
+std::string described(const FileKind& kind) {
+  return "is " + std::string(kind.name) + (kind.family == FileFamily::solid ? ", " : "; ") + advice_for(kind);
+}
+
+/// Returns the format of text, as the rest of a sentence that begins with "the file"; nothing if it is not known.
+/// Examines only the first lines.
+std::optional<std::string> describe_lines(std::string_view text) {
+  if (text.starts_with("OFF")) return "is an OFF mesh; save it as STL";
+  if (looks_like_cl_data(text)) return "is a toolpath (CL data); expected an STL file";
   for (std::size_t at = 0, lines = 0; at < text.size() && lines < kLinesLookedAt; ++lines) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = without_blanks_before(text.substr(at, end - at));
     at = end + 1;
-    if (begins_with_one(line, kPathWords)) return "is a toolpath (CL data); expected an STL file";
     if (begins_with_one(line, kObjWords)) return "is an OBJ mesh; save it as STL";
   }
   return std::nullopt;
+}
+
+bool begins_with_word(std::string_view bytes) {
+  constexpr std::size_t kWord = 4;
+  return std::ranges::all_of(bytes.substr(0, kWord), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+/// Returns the format of a file that is neither an STL by its size nor begins with 'solid', as describe_lines does. The
+/// header of a binary STL may hold any words. So words count only if `is_text`, when the first bytes have no control
+/// characters, or if the name of the file states a kind.
+std::optional<std::string> describe_foreign_mesh(const std::string& name, std::string_view bytes, bool is_text) {
+  const std::optional<FileKind> kind = recognise_file(name, bytes);
+  const bool is_named = recognise_file(name, {}).has_value();
+  if (kind && (is_text || is_named || !begins_with_word(bytes))) return described(*kind);
+  return is_text ? describe_lines(without_blanks_before(bytes)) : std::nullopt;
 }
 
 bool is_text(std::string_view bytes) {
@@ -137,7 +141,7 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, 
   if (const std::optional<std::string> text = ascii_of_utf16(bytes)) return parse_utf16_stl(*text, name, progress);
   if (detail::looks_like_ascii_stl(bytes)) return detail::parse_ascii_stl(bytes, name, progress);
   const bool is_plain = is_text(bytes.substr(0, 4096));
-  if (const auto foreign = describe_foreign_mesh(bytes, is_plain))
+  if (const auto foreign = describe_foreign_mesh(name, bytes, is_plain))
     return make_error("stl-not-stl", "the file " + *foreign, name);
   if (is_plain) {
     return make_error("stl-not-stl", "the file is text but not ASCII STL; expected it to begin with 'solid'", name);

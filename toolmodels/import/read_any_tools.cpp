@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/file_kind.h"
 #include "toolmodels/import/import_tools.h"
 #include "toolmodels/import/json_entry.h"
 
@@ -14,35 +15,21 @@ namespace gouge {
 
 namespace {
 
-struct Beginning {
-  std::string_view text, sentence;
-};
-
 constexpr const char* kExpected =
     "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb) or NX "
     "(tool_database.dat)";
 
-constexpr std::array<Beginning, 9> kBeginnings = {{
-    {"SQLite format 3", "is a database (SQLite)"},
-    {"<", "is XML or HTML"},
-    {"ISO-10303-21", "is a STEP file"},
-    {"%PDF", "is a PDF document"},
-    {"\x89PNG", "is a picture (PNG)"},
-    {"\xff\xd8\xff", "is a picture (JPEG)"},
-    {"\x1f\x8b", "is compressed (gzip)"},
-    {"solid", "is a mesh (STL)"},
-    {"\xd0\xcf\x11\xe0", "is an old file of Office"},
-}};
-
 // Returns a message that names the format of a file that is neither JSON nor importable, with advice.
-std::string describe_foreign(std::string_view bytes) {
-  const std::string_view text = detail::without_mark(bytes);
-  if (text.empty()) return std::string("the file is empty; ") + kExpected;
-  for (const auto& [beginning, sentence] : kBeginnings) {
-    if (text.starts_with(beginning))
-      return "the file " + std::string(sentence) + "; " + kExpected + ", so export the tools as one of these";
-  }
-  return std::string("the file is no tool library; ") + kExpected;
+std::string describe_foreign(const std::string& file, std::string_view bytes) {
+  if (detail::without_mark(bytes).empty()) return std::string("the file is empty; ") + kExpected;
+  const std::string expected = std::string("; ") + kExpected;
+  if (bytes.starts_with("solid")) return "the file is a mesh (STL)" + expected;
+  if (looks_like_cl_data(bytes)) return "the file is a toolpath (CL data)" + expected;
+  const std::optional<FileKind> kind = recognise_file(file, bytes);
+  if (!kind) return "the file is no tool library" + expected;
+  const std::string is = "the file is " + std::string(kind->name);
+  if (kind->family == FileFamily::stand_in) return is + "; " + std::string(kind->advice);
+  return is + expected + ", so export the tools as one of these";
 }
 
 // Returns whether JSON is a library of this project: it has "tools", each with a "cutter", or it has "units".
@@ -101,7 +88,7 @@ Result<ReadTools> read_imported(const std::string& file, std::string_view bytes,
 Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes) {
   if (const std::optional<ImportFormat> format = recognise_format(bytes))
     return read_imported(file, bytes, *format, max_bytes);
-  if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign(bytes), file);
+  if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign(file, bytes), file);
   const Result<JsonFile> json = parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
   if (json && !is_ours(json->root))
     return make_error("library-foreign", std::string("the JSON in this file is no tool library; ") + kExpected, file);

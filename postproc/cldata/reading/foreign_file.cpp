@@ -1,8 +1,8 @@
 #include "postproc/cldata/reading/foreign_file.h"
 
-#include <array>
 #include <cstddef>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 
@@ -12,32 +12,8 @@ namespace {
 constexpr std::size_t kForeignLines = 300;
 constexpr std::size_t kStlHeader = 80, kStlCount = 4, kStlTriangle = 50;
 
-struct Beginning {
-  std::string_view text;
-  std::string_view sentence;
-};
-
-constexpr std::array<Beginning, 12> kBeginnings = {{
-    {"ISO-10303-21", "is a STEP file, which holds geometry and no toolpath"},
-    {"%PDF", "is a PDF document"},
-    {"PK\x03\x04", "is a ZIP archive; unpack it and check the toolpath in it"},
-    {"\x89PNG", "is a picture (PNG)"},
-    {"\xff\xd8\xff", "is a picture (JPEG)"},
-    {"\x1f\x8b", "is compressed (gzip); unpack it first"},
-    {"\xff\xfe", "is UTF-16 text; save it as ASCII or UTF-8"},
-    {"\xfe\xff", "is UTF-16 text; save it as ASCII or UTF-8"},
-    {"<?xml", "is XML, not CL data"},
-    {"<!DOCTYPE", "is HTML, not CL data"},
-    {"<html", "is HTML, not CL data"},
-    {"{", "is JSON, not CL data"},
-}};
-
-constexpr const char* kGCode =
-    "is G-code, a program for one machine's control; expected CL data (APT, CLSF, NCI): the CAM system writes it "
-    "before its post-processor runs";
-constexpr const char* kHeidenhain =
-    "is a Heidenhain program for a machine's control; expected CL data (APT, CLSF, NCI): the CAM system writes it "
-    "before its post-processor runs";
+constexpr const char* kProgram =
+    "looks like a program for a machine's control; expected CL data, or --dialect gcode and --control with the control";
 constexpr const char* kColumns =
     "holds columns of numbers without words, so what they mean is not stated; expected GOTO/x,y,z,i,j,k";
 
@@ -105,7 +81,7 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
       return "is an STL mesh; give it with --part and a toolpath in its place";
     const bool is_program =
         starts_with_ignoring_case(line, "BEGIN PGM") || line.find(" BEGIN PGM ") != std::string_view::npos;
-    if (is_first && is_program) return kHeidenhain;
+    if (is_first && is_program) return kProgram;
     is_first = false;
     if (is_comment(line)) continue;
     if (is_gcode_block(line)) {
@@ -120,21 +96,35 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
     }
   }
   others += rows > 0 ? 0 : heading;
-  if (blocks > 2 && blocks > 4 * (others + rows)) return kGCode;
+  if (blocks > 2 && blocks > 4 * (others + rows)) return kProgram;
   if (rows > 0 && others + blocks == 0) return heading == 0 ? kColumns : kColumnsUnderHeading;
   return std::nullopt;
 }
 
+std::string advice_for(const FileKind& kind) {
+  switch (kind.family) {
+    case FileFamily::solid:
+      return ", which holds geometry and no toolpath";
+    case FileFamily::mesh:
+      return "; expected a toolpath in its place";
+    case FileFamily::archive:
+      return "; unpack it and check the toolpath in it";
+    case FileFamily::text:
+      return ", not CL data";
+    case FileFamily::document:
+      break;
+    case FileFamily::stand_in:
+      return "; " + std::string(kind.advice);
+  }
+  return "; expected a toolpath";
+}
+
 }  // namespace
 
-std::optional<std::string> describe_foreign(std::string_view bytes) {
+std::optional<std::string> describe_foreign(std::string_view name, std::string_view bytes) {
   if (is_binary_stl(bytes)) return "is an STL mesh; give it with --part and a toolpath in its place";
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-  const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
-  for (const Beginning& beginning : kBeginnings) {
-    if (starts_with_ignoring_case(text, beginning.text)) return std::string(beginning.sentence);
-  }
-  return describe_lines(bytes);
+  const std::optional<FileKind> kind = recognise_file(name, bytes);
+  return kind ? "is " + std::string(kind->name) + advice_for(*kind) : describe_lines(bytes);
 }
 
 }  // namespace gouge

@@ -141,7 +141,8 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
         file);
   }
   if (dialect.is_fallback && !is_dialect_given) {
-    if (auto sentence = describe_foreign(bytes)) return make_error("path-not-cl-data", std::move(*sentence), file);
+    if (auto sentence = describe_foreign(file, bytes))
+      return make_error("path-not-cl-data", std::move(*sentence), file);
   }
   if (dialect.is_binary) return std::nullopt;
   if (const std::size_t at = find_separator(bytes); at < bytes.size()) {

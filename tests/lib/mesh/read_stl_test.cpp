@@ -155,14 +155,14 @@ TEST(ReadStl, TruncatedBinarySaysHowManyOfHowMany) {
 
 TEST(ReadStl, AnotherKindOfFileIsCalledByItsName) {
   const auto reported = [](const std::string& bytes) { return error_of(bytes); };
-  EXPECT_EQ(reported("ISO-10303-21;\nHEADER;\n"),
-            "part.stl: error: the file is STEP, exact geometry without triangles; save the part as STL in the CAD "
-            "system [stl-not-stl]");
+  EXPECT_EQ(
+      reported("ISO-10303-21;\nHEADER;\n"),
+      "part.stl: error: the file is a STEP file, exact geometry without triangles; save the part as STL in the CAD "
+      "system [stl-not-stl]");
   for (const char* path : {"UNITS/MM\nGOTO/0,0,0\n", "$$ by hand\n  GOTO / 1,2,3", "TOOL PATH/A,TOOL,B\n"})
     EXPECT_EQ(reported(path), "part.stl: error: the file is a toolpath (CL data); expected an STL file [stl-not-stl]");
-  EXPECT_EQ(
-      reported(std::string("PK\x03\x04\0\0", 6) + std::string(200, '\0')),
-      "part.stl: error: the file is a ZIP archive (3MF is one too); unpack it, or save the part as STL [stl-not-stl]");
+  EXPECT_EQ(reported(std::string("PK\x03\x04\0\0", 6) + std::string(200, '\0')),
+            "part.stl: error: the file is a ZIP archive; unpack it, or save the part as STL [stl-not-stl]");
   EXPECT_EQ(reported("# cube\nv 0 0 0\n"), "part.stl: error: the file is an OBJ mesh; save it as STL [stl-not-stl]");
   EXPECT_EQ(reported("once upon a time"),
             "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");

@@ -117,9 +117,10 @@ TEST(ReadAnyTools, AnyOtherFileIsRefusedWithWhatWasExpected) {
       "(tool_database.dat)";
   const auto error = [](const std::string& bytes) { return to_text(read_any_tools("t", bytes, kMaxBytes).error()); };
   EXPECT_EQ(error(""), "t: error: the file is empty; " + expected + " [library-foreign]");
-  EXPECT_EQ(error("<?xml version='1.0'?><tools/>"), "t: error: the file is XML or HTML; " + expected +
-                                                        ", so export the tools as one of these [library-foreign]");
-  EXPECT_EQ(error("GOTO/1,2,3\n"), "t: error: the file is no tool library; " + expected + " [library-foreign]");
+  EXPECT_EQ(error("<?xml version='1.0'?><tools/>"),
+            "t: error: the file is XML; " + expected + ", so export the tools as one of these [library-foreign]");
+  EXPECT_EQ(error("GOTO/1,2,3\n"), "t: error: the file is a toolpath (CL data); " + expected + " [library-foreign]");
+  EXPECT_EQ(error("tools\n"), "t: error: the file is no tool library; " + expected + " [library-foreign]");
   EXPECT_EQ(error(R"({"tools":[{"key":"flat","diameter":6}]})"),
             "t: error: the JSON in this file is no tool library; " + expected + " [library-foreign]");
   EXPECT_NE(
