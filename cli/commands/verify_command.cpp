@@ -166,6 +166,10 @@ class Verifier {
 Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& result, std::uint64_t max_bytes) {
   std::vector<Verification::Refuted> changed;
   for (const InputFile& input : result.inputs) {
+    if (input.name == "-")
+      return make_error("verify-input", "the " + input.role +
+                                            " of this result was read from standard input; expected a file: check it "
+                                            "again by its name");
     const Result<FileView> file = view_file(input.name, max_bytes);
     if (!file) return file.error();
     if ("sha256:" + sha256_of(file->bytes) == input.checksum) continue;

@@ -48,7 +48,7 @@ std::string length_rule(const CLI::App& command) {
   const std::vector<const CLI::Option*> options = command.get_options();
   if (std::none_of(options.begin(), options.end(), [](const CLI::Option* option) { return is_length(*option); }))
     return {};
-  return "Lengths in options are in mm, even if a file is in inches. A unit may be appended: 0.5mm, 0.02in.";
+  return "Lengths in options are in mm, even if a file is in inches. A unit may follow: 0.5mm, 20um, 0.02 in.";
 }
 
 std::vector<std::string> lengths_in_mm(const CLI::App& command) {

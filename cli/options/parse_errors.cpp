@@ -6,6 +6,7 @@
 
 #include "cli/options/command_doc.h"
 #include "cli/options/help_text.h"
+#include "cli/values/parse_lengths.h"
 #include "lib/base/letters.h"
 #include "postproc/report/report_model.h"
 
@@ -219,7 +220,8 @@ class Command {
     const std::string name = option.get_name();
     const std::string typed = name + " '" + (option.results().empty() ? "" : option.results().back()) + "': ";
     if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
-      return typed + "expected " + kind_of_value(option) + see_help();
+      const std::string hint = option.results().empty() ? "" : decimal_comma_hint(option.results().back());
+      return typed + "expected " + kind_of_value(option) + hint + see_help();
     }
     if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return typed + wanted(option, error.what());
     if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return std::string(error.what()) + see_help();

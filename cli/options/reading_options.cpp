@@ -149,7 +149,8 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
   if (!arguments.retract_plane.empty()) {
     options.retract_plane_mm = parse_length_mm(arguments.retract_plane);
     if (!options.retract_plane_mm)
-      return usage_error("--retract-plane", arguments.retract_plane, "a length in mm, or with a unit (2in)");
+      return usage_error("--retract-plane", arguments.retract_plane,
+                         "a length in mm, or with a unit (2in)" + decimal_comma_hint(arguments.retract_plane));
   }
   for (const std::string& word : arguments.harmless_words) {
     if (auto error = why_not_harmless(word)) return *error;

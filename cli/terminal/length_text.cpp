@@ -24,7 +24,7 @@ Result<double> understand_length(const std::string& option, const std::string& t
   if (!length_mm || *length_mm < 0 || (least != Minimum::zero && !(*length_mm > 0))) {
     return usage_error(option, typed,
                        std::string("a length ") + (least == Minimum::zero ? "of 0 or more" : "above 0") +
-                           " in mm, or with a unit (0.0005in), and at most 100 m");
+                           " in mm, or with a unit (0.0005in), and at most 100 m" + decimal_comma_hint(typed));
   }
   if (least == Minimum::finest_resolution && *length_mm < kFinestResolution_mm)
     return usage_error(option, typed, "at least 0.000001 mm, what double precision can certify");
@@ -36,7 +36,8 @@ Result<LengthRange> understand_length_range(const std::string& option, const std
   if (range && range->middle_mm - range->half_mm >= 0) return *range;
   return usage_error(
       option, typed,
-      "a length of 0 or more in mm, or with a unit (6in), or an interval such as 120..120.1, and at most 100 m");
+      "a length of 0 or more in mm, or with a unit (6in), or an interval such as 120..120.1, and at most 100 m" +
+          decimal_comma_hint(typed));
 }
 
 Result<RigidTransform> understand_place(const std::string& option, const std::string& typed) {
@@ -54,6 +55,8 @@ std::optional<std::string> parse_clearance(const std::string& text, CheckOptions
     if (!given.insert(body).second) return "'" + body + "' is given twice; expected one clearance for each body";
     const auto length = equals == std::string::npos ? std::nullopt : parse_length_mm(part.substr(equals + 1));
     if (!length || *length < 0) {
+      const bool is_behind_comma = equals == std::string::npos && given.size() > 1 && parse_length_mm(part);
+      if (is_behind_comma) return "'" + text + "' has a number behind a comma; expected a decimal point: shank=0.5";
       return "'" + part +
              "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1 in mm, or "
              "with units (holder=0.04in)";

@@ -43,17 +43,31 @@ std::vector<std::string> split_text(const std::string& text, char separator) {
 }
 
 std::optional<double> parse_length_mm(const std::string& text) {
-  const struct {
+  // A longer suffix comes before its end.
+  constexpr struct {
     std::string_view suffix;
     LengthUnit unit;
-  } units[] = {{"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"in", LengthUnit::inch}};
-  for (const auto& [suffix, unit] : units) {
-    if (!text.ends_with(suffix)) continue;
-    const auto value = parse_number(text.substr(0, text.size() - suffix.size()));
-    return value ? within_reach(*value * mm_per(unit)) : std::nullopt;
+  } kSuffixes[] = {{"mm", LengthUnit::mm},        {"cm", LengthUnit::cm},        {"um", LengthUnit::um},
+                   {"\xc2\xb5m", LengthUnit::um}, {"\xce\xbcm", LengthUnit::um}, {"inch", LengthUnit::inch},
+                   {"in", LengthUnit::inch}};
+  std::string_view number = trim_blanks(text);
+  LengthUnit unit = LengthUnit::mm;
+  for (const auto& [suffix, of_suffix] : kSuffixes) {
+    if (!number.ends_with(suffix)) continue;
+    number = trim_blanks(number.substr(0, number.size() - suffix.size()));
+    unit = of_suffix;
+    break;
   }
-  const auto value = parse_number(text);
-  return value ? within_reach(*value) : std::nullopt;
+  const auto value = parse_number(number);
+  return value ? within_reach(*value * mm_per(unit)) : std::nullopt;
+}
+
+std::string decimal_comma_hint(const std::string& text) {
+  std::string pointed = text;
+  const std::size_t comma = pointed.find(',');
+  if (comma == std::string::npos || pointed.find_first_of(",=", comma + 1) != std::string::npos) return {};
+  pointed[comma] = '.';
+  return parse_length_mm(pointed) ? "; write a decimal point in place of the comma: " + pointed : "";
 }
 
 std::optional<LengthRange> parse_length_range(const std::string& text) {

@@ -14,8 +14,12 @@ namespace gouge {
 /// Returns the parts of a text between separators: one part if there is none.
 [[nodiscard]] std::vector<std::string> split_text(const std::string& text, char separator);
 
-/// Parses a length. Returns nothing for lengths beyond 100 m, the reach of a check (kFarthest_mm).
+/// Parses a length: 0.5, 0.5mm, 20 um, 0.02 in. The units are mm, cm, um, in and inch. Returns nothing for lengths beyond 100 m, the reach of a check (kFarthest_mm).
 [[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
+
+/// Returns advice if `text` is one number with a comma in place of its decimal point, else an empty text. It begins with
+/// a semicolon, to follow an error.
+[[nodiscard]] std::string decimal_comma_hint(const std::string& text);
 
 /// A length between two others.
 struct LengthRange {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <optional>
@@ -84,7 +85,22 @@ InputReader::~InputReader() {
   if (handle_ >= 0) ::close(handle_);
 }
 
+Result<InputReader> InputReader::open_standard_input(std::uint64_t max_bytes) {
+  static std::atomic<bool> is_read{false};
+  const std::string path = kStandardInput;
+  if (is_read.exchange(true))
+    return make_error("input-twice",
+                      "standard input was read already; expected '-' for one input, and files for others", path);
+  struct stat info {};
+  const int handle = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (handle < 0 || ::fstat(handle, &info) != 0) return unreadable(path, errno);
+  InputReader file(path, handle, info, max_bytes);
+  if (const auto unfit = find_unfit(info, path, max_bytes)) return *unfit;
+  return file;
+}
+
 Result<InputReader> InputReader::open(const std::string& path, std::uint64_t max_bytes) {
+  if (path == kStandardInput) return open_standard_input(max_bytes);
   struct stat info {};
   // The status is read before the file is opened, because opening a tape rewinds it.
   if (::stat(path.c_str(), &info) != 0) {

@@ -15,9 +15,10 @@ namespace gouge {
 /// bytes would be partly old and partly new.
 class InputReader {
  public:
-  /// Opens a file. A terminal is accepted only as this program's standard input. Opening a pipe waits for its writer.
+  /// Opens a file, or standard input as "-", which only one reader can have. A terminal is accepted only as this
+  /// program's standard input. Opening a pipe waits for its writer.
   /// Errors: file-not-found, file-is-folder, file-unreadable, input-is-device, input-too-large (a file of more than
-  /// `max_bytes`).
+  /// `max_bytes`), input-twice (standard input was read already).
   [[nodiscard]] static Result<InputReader> open(const std::string& path, std::uint64_t max_bytes);
 
   InputReader(InputReader&& other) noexcept;
@@ -32,6 +33,10 @@ class InputReader {
   [[nodiscard]] Result<std::size_t> read(char* to, std::size_t room);
 
  private:
+  static constexpr const char* kStandardInput = "-";
+
+  [[nodiscard]] static Result<InputReader> open_standard_input(std::uint64_t max_bytes);
+
   InputReader(std::string path, int handle, const struct stat& before, std::uint64_t max_bytes);
 
   std::string path_;

@@ -12,8 +12,27 @@ TEST(LengthText, ALengthMayCarryItsUnit) {
   EXPECT_EQ(parse_length_mm("0.5mm"), 0.5);
   EXPECT_EQ(parse_length_mm("2in"), 50.8);
   EXPECT_EQ(parse_length_mm("2inch"), 50.8);
-  for (const char* text : {"", "in", "inch", "2inches", "2 cm", "2inin", "2inchin", "mm2"})
+  EXPECT_DOUBLE_EQ(*parse_length_mm("20um"), 0.02);
+  EXPECT_DOUBLE_EQ(*parse_length_mm("20 \xc2\xb5m"), 0.02);
+  EXPECT_EQ(parse_length_mm("2 cm"), 20);
+  EXPECT_EQ(parse_length_mm(" 0.02 mm "), 0.02);
+  EXPECT_EQ(parse_length_mm("2 in"), 50.8);
+  EXPECT_EQ(parse_place("1 in, 2, -3 mm")->shift, Vec3(25.4, 2, -3));
+  for (const char* text : {"", "in", "inch", "2inches", "2m m", "2inin", "2inchin", "mm2", "2 m", "2 3", "1.mm.", " "})
     EXPECT_FALSE(parse_length_mm(text)) << text;
+}
+
+TEST(LengthText, ADecimalCommaIsNamed) {
+  EXPECT_EQ(
+      understand_length("--tolerance", "0,02 mm", Minimum::zero).error().message,
+      "--tolerance '0,02 mm': expected a length of 0 or more in mm, or with a unit (0.0005in), and at most 100 m; "
+      "write a decimal point in place of the comma: 0.02 mm");
+  CheckOptions options;
+  EXPECT_EQ(parse_clearance("shank=0,5", options),
+            "'shank=0,5' has a number behind a comma; expected a decimal point: shank=0.5");
+  EXPECT_EQ(decimal_comma_hint("1,2,3"), "");
+  EXPECT_EQ(decimal_comma_hint("a,5"), "");
+  EXPECT_EQ(decimal_comma_hint("5"), "");
 }
 
 TEST(LengthText, NothingReachesFartherThanACheck) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -160,6 +161,20 @@ TEST(ByteSize, IsWrittenForPeople) {
   EXPECT_EQ(byte_size_text(999), "999 bytes");
   EXPECT_EQ(byte_size_text(1), "1 byte");
   EXPECT_EQ(byte_size_text(5'000'000'000'000'000), "5000 TB");
+}
+
+TEST_F(InputFileTest, StandardInputIsReadOnceUnderItsName) {
+  write("GOTO/1,2,3\n");
+  const int before = ::dup(STDIN_FILENO);
+  ASSERT_NE(std::freopen(path().c_str(), "r", stdin), nullptr);
+  const Result<std::string> first = read_file("-");
+  ASSERT_TRUE(first.has_value()) << to_text(first.error());
+  EXPECT_EQ(*first, "GOTO/1,2,3\n");
+  const Result<std::string> second = read_file("-");
+  ASSERT_FALSE(second.has_value());
+  EXPECT_EQ(second.error().code, "input-twice");
+  ::dup2(before, STDIN_FILENO);
+  ::close(before);
 }
 
 }  // namespace
