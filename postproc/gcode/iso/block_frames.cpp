@@ -85,10 +85,16 @@ void BlockRunner::take_length(const GcodeRow& row) {
       motion_.set_tip_control(TipControl::off);
       break;
     case Code::turned_offset_on:
+      if (!motion_.mapper().has_machine())
+        motion_.doubt(ProgramDoubt::tip_control,
+                      code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
+                          " shifts positions by the places of the rotary joints; expected --machine, and a block that "
+                          "states them");
       motion_.set_tip_control(motion_.tip_control() == TipControl::off ? TipControl::turned_offset
                                                                        : TipControl::unknown);
       break;
     case Code::turned_offset_off:
+      if (!motion_.mapper().has_machine()) motion_.end_doubt(ProgramDoubt::tip_control);
       end_tip_control(row);
       break;
     default:

@@ -32,7 +32,21 @@ void BlockRunner::move_to_machine_place() {
                                                  : "the place of G53 in the coordinates of the part is not known; "
                                                    "expected --offset of the work offset in force, and the length of "
                                                    "the tool");
-  motion_.go(kind, to);
+  go_to_machine(kind, to);
+}
+
+// Moves to a place of the machine that is known.
+void BlockRunner::go_to_machine(MoveKind kind, const AxisPlace& to) {
+  const AxisPlace& from = motion_.place();
+  int axes = 0;
+  const auto stays = [](double a, double b) { return std::abs(a - b) <= 0; };
+  for (int i = 0; i < 3; ++i) axes += stays(from.xyz[i], to.xyz[i]) ? 0 : 1;
+  for (std::size_t k = 0; k < 2; ++k) axes += stays(from.angles.at(k), to.angles.at(k)) ? 0 : 1;
+  const bool runs_apart = index_.control().goes_apart_to_machine && setup_.are_joint_rapids_straight && axes > 1;
+  if (!runs_apart) return motion_.go(kind, to);
+  motion_.go_unchecked(kind, to,
+                       "the control runs each axis at its own rate to a place of the machine; expected one axis in a "
+                       "block, or --joint-rapid-law independent");
 }
 
 void BlockRunner::go_home(const GcodeRow& row) {
@@ -58,7 +72,7 @@ void BlockRunner::go_home(const GcodeRow& row) {
     return motion_.go_unchecked(MoveKind::rapid, home,
                                 "the home position of the machine is not known; expected --home X,Y,Z and --offset of "
                                 "the work offset in force, and of rotary joints a block that states them");
-  motion_.go(MoveKind::rapid, home);
+  go_to_machine(MoveKind::rapid, home);
 }
 
 // Whether and when the length comes back is chosen by parameters of the control. No manual at hand limits the end of the

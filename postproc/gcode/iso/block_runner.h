@@ -93,6 +93,7 @@ class BlockRunner {
   [[nodiscard]] std::string why_cycle_open() const;
   [[nodiscard]] const GcodeRow* find_own_motion() const;
   void move_to_machine_place();
+  void go_to_machine(MoveKind kind, const AxisPlace& to);
   void go_home(const GcodeRow& row);
   void end_length_by(const GcodeRow& row);
   void go_by(const GcodeRow& row);

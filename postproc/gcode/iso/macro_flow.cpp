@@ -120,12 +120,16 @@ std::optional<std::size_t> ProgramRun::find_block(int number) const {
     end = i;
     break;
   }
-  return text_->find_label('N', number, begin, end, true);
+  const auto found = text_->find_label('N', number, begin, end, true);
+  // Whether the number of a block that is left out can be reached is not stated.
+  const bool is_left_out =
+      found && trim_blanks(text_->line(*found)).starts_with('/') && setup_.is_block_delete_on == true;
+  return is_left_out ? std::nullopt : found;
 }
 
 void ProgramRun::go_to(int number) {
   const auto block = find_block(number);
-  if (!block) return lose("no block, or more than one, has the number N" + std::to_string(number));
+  if (!block) return lose("no block, more than one, or one that is left out has the number N" + std::to_string(number));
   next_ = *block;
 }
 

@@ -148,7 +148,8 @@ void ProgramRun::follow(const NextBlock& next) {
 void ProgramRun::call(const NextBlock& next) {
   if (next.kind == NextBlock::Kind::call_block) {
     const auto block = find_block(next.target);
-    if (!block) return lose("no block, or more than one, has the number N" + std::to_string(next.target));
+    if (!block)
+      return lose("no block, more than one, or one that is left out has the number N" + std::to_string(next.target));
     return begin_call(*text_, *block, next.times, false);
   }
   if (may_count_repeats(next.target))

@@ -150,6 +150,7 @@ struct ControlTable {
   bool has_straight_rapids =
       false;  ///< G0 without tool centre point control is coordinated; else a parameter states it
   bool takes_rapids_to_machine_places = false;  ///< G53 is a rapid whatever motion code is in force
+  bool goes_apart_to_machine = false;           ///< G28 and G53 run each axis at its own rate, whatever rapids do
   bool turns_along_arcs = false;                ///< rotary joints may turn along an arc, evenly with it
   std::size_t program_digits = 0;  ///< digits of P of a call before these may be its repeats; 0: they never are
   std::string_view source;

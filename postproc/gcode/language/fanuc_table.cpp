@@ -135,6 +135,8 @@ const ControlTable& fanuc_table() {
       .length_motion = "parameter 5006#6 (TOS)",
       .turns = RotaryTurns::may_follow_sign,
       .takes_rapids_to_machine_places = true,  // B-64484EN, 7.1
+      // B-64484EN, 4.1: nonlinear positioning is used by G53, and by G28 from the intermediate position.
+      .goes_apart_to_machine = true,
       // B-64124EN, 12.3: M98 P51002 calls O1002 five times. An option makes program numbers longer.
       .program_digits = 4,
       .source = kFanucCodes,

@@ -145,7 +145,8 @@ class Evaluator {
     for (const Spelling& one : kOperators) {
       const bool is_here = rest.size() >= one.text.size() && std::equal(one.text.begin(), one.text.end(), rest.begin(),
                                                                         [](char a, char b) { return a == capital(b); });
-      if (!is_here) continue;
+      const bool is_of_others = one.meaning == power && syntax_.has_macros;  // Fanuc and Haas have POW
+      if (!is_here || is_of_others) continue;
       length = one.text.size();
       return one.meaning;
     }

@@ -54,13 +54,38 @@ TEST(GcodeEffects, TheLevelOfACycleThatFollowsAnotherMayBeNew) {
   expect_checked(program("G98 G81 X5. Z50. R70. F9.\nG98 G82 X6. Z50. R70.\n"), "haas", measured());
 }
 
+// Source: Fanuc B-64484EN, 4.1, restrictions.
+TEST(GcodeEffects, MotionsToTheMachineRunEachAxisAtItsOwnRate) {
+  ProgramSetup setup = measured();
+  setup.are_joint_rapids_straight = true;
+  const std::string z = "G28 G91 Z0.\nG90\n";
+  for (const char* block : {"G53 X-100. Y-50.\n", "G1 G53 X-100. Y-50. F9.\n", "G28 X5. Y50.\n"})
+    expect_open(program(z + block), "fanuc", "runs each axis at its own rate", setup);
+  expect_checked(program(z + "G28 X0.\n"), "fanuc", setup);
+  expect_checked(program(z + "G53 X-100.\nG53 Y-50.\n"), "fanuc", setup);
+}
+
+TEST(GcodeEffects, AWorkOffsetThatFollowsTheJointsNeedsAMachine) {
+  expect_open(program("G254\nG0 X5. Y0.\nG0 Z50.\n"), "haas", "expected --machine", measured());
+  expect_open(program("G254\nG0 X5. Y0.\nG255\nG0 X6.\n"), "haas", "expected --machine", measured());
+}
+
+TEST(GcodeEffects, ABlockThatIsLeftOutIsNoPlaceToGoTo) {
+  ProgramSetup setup = measured();
+  setup.is_block_delete_on = true;
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_open(program("GOTO5\nG1 X5. F9.\n/N5 G1 X7. F9.\n"), control, "one that is left out", setup);
+    expect_open(program("#1=2**3\nG1 X#1 F9.\n"), control, "", setup);
+  }
+}
+
 // The usual end of a program: the second motion does not depend on the length that the first has ended.
 TEST(GcodeEffects, MotionsToTheMachineFollowOneAnother) {
   expect_checked(program("G28 G91 Z0.\nG28 X0. Y0.\n"), "haas", measured());
   expect_checked(program("G28 G91 Z0.\nG28 X0. Y0.\n"), "fanuc", measured());
   ProgramSetup setup = measured();
   setup.are_joint_rapids_straight = true;
-  const Toolpath path = path_of_program(program("G53 Z-10.\nG53 X-100. Y-50.\n"), "fanuc", setup);
+  const Toolpath path = path_of_program(program("G53 Z-10.\nG53 X-100.\nG53 Y-50.\n"), "fanuc", setup);
   EXPECT_EQ(path.moves.back().not_checked_reason, "");
   EXPECT_NEAR((path.moves.back().end.tip - Vec3(-100, -50, -10 - 60)).norm(), 0, 1e-9);
   // A length that is applied again finds the tool where it stands.
