@@ -6,7 +6,6 @@
 #include <new>
 #include <optional>
 #include <ostream>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +17,10 @@
 #include "cli/options/help_text.h"
 #include "cli/options/length_rule.h"
 #include "cli/options/parse_errors.h"
+#include "cli/options/short_help.h"
 #include "cli/program.h"
 #include "cli/project_use.h"
+#include "cli/short_line.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
@@ -56,6 +57,18 @@ std::optional<Diagnostic> take_project(const ProjectLine& line, const CLI::App& 
   return wrong ? std::optional(line.located(*wrong)) : std::nullopt;
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<const char*> pointers_to(const std::vector<std::string>& words) {
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return pointers;
+}
+
 int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out, std::ostream& err) {
   if (!set_threads(app, arguments, err)) return kExitInternal;
   if (app.got_subcommand("check")) return run_check(arguments.check, {out, err});
@@ -75,6 +88,14 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   return run_self_command(app, arguments.self, out, err);
 }
 
+// Prints the short page of a command that has one.
+bool print_short_help(const CLI::App& app, std::ostream& out) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  const std::string text = commands.empty() ? "" : short_help(*commands.back());
+  out << text;
+  return !text.empty();
+}
+
 // Returns the status after output. Printed text may end early (`| head -1`), but undelivered data is a failure, which
 // its command has reported.
 int after_printing(int status, std::ostream& out, std::ostream& err) {
@@ -91,8 +112,10 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     CLI::App& app = program.app;
     Arguments& arguments = program.arguments;
     choose_colour(err, "auto");
-    const std::span words(argv, static_cast<std::size_t>(argc));
-    const Result<ProjectLine> line = ProjectLine::make({words.begin(), words.end()});
+    const Result<std::vector<std::string>> typed = expand_short_line({argv, argv + argc}, command_names(app));
+    if (!typed) return fail(err, {typed.error()});
+    const std::vector<const char*> words = pointers_to(*typed);
+    const Result<ProjectLine> line = ProjectLine::make(*typed);
     if (!line) return fail(err, {line.error()});
     try {
       std::vector<std::string> reversed(line->words().rbegin(), line->words().rend());
@@ -100,6 +123,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       app.parse(std::move(reversed));
     } catch (const CLI::ParseError& error) {
       choose_colour(err, program.colour());
+      if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr && print_short_help(app, out))
+        return after_printing(kExitClean, out, err);
       // CLI11 reports --help and --version as errors of status 0.
       if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
       const std::optional<Diagnostic> empty = find_misread_value(app, words);

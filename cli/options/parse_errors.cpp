@@ -50,11 +50,7 @@ std::string explain_beginning(const CLI::App& program, std::span<const char* con
   const std::string first = words[1];
   const std::string option = first.substr(0, first.find('='));
   if (is_command(first) || (first.starts_with('-') && program.get_option_no_throw(option) != nullptr)) return {};
-  if (!first.starts_with('-')) {
-    const bool is_file = first.find_first_of("./") != std::string::npos;
-    return is_no_command(first, kProgramName, commands) +
-           (is_file ? "; a file stands behind the command: " + std::string(kProgramName) + " check " + first : "");
-  }
+  if (!first.starts_with('-')) return is_no_command(first, kProgramName, commands);
   const auto command = std::find_if(words.begin() + 2, words.end(), is_command);
   const std::string name = command == words.end() ? "COMMAND" : *command;
   return "'" + option + "' stands before the command; expected the command first: " + kProgramName + " " + name + " " +

@@ -220,8 +220,8 @@ Result<TriangleSoup> parse_with_extra(std::string_view bytes, std::size_t count,
 
 bool has_binary_stl_header(std::string_view bytes) { return bytes.size() >= kHeaderSize; }
 
-bool has_binary_stl_size(std::string_view bytes) {
-  return has_binary_stl_header(bytes) && bytes.size() == kHeaderSize + kFacetSize * stated_count(bytes);
+bool has_binary_stl_size(std::string_view beginning, std::uint64_t size) {
+  return has_binary_stl_header(beginning) && size == kHeaderSize + kFacetSize * stated_count(beginning);
 }
 
 Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string& name,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@ namespace gouge::detail {
 [[nodiscard]] bool has_binary_stl_header(std::string_view bytes);
 
 /// Returns whether the file has exactly the size that its header states: 84 bytes and 50 for each facet.
-[[nodiscard]] bool has_binary_stl_size(std::string_view bytes);
+[[nodiscard]] bool has_binary_stl_size(std::string_view beginning, std::uint64_t size);
 
 /// Returns the triangles of a binary STL. A file that is longer than its header states is read if the places of its
 /// facets are certain. The extra bytes may follow the last facet, or each facet as its attribute byte count states. The

@@ -137,7 +137,7 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, 
   if (bytes.empty()) {
     return make_error("stl-empty", "the file is empty (0 bytes); expected a binary or ASCII STL", name);
   }
-  if (detail::has_binary_stl_size(bytes)) return detail::parse_binary_stl(bytes, name, std::move(keep));
+  if (detail::has_binary_stl_size(bytes, bytes.size())) return detail::parse_binary_stl(bytes, name, std::move(keep));
   if (const std::optional<std::string> text = ascii_of_utf16(bytes)) return parse_utf16_stl(*text, name, progress);
   if (detail::looks_like_ascii_stl(bytes)) return detail::parse_ascii_stl(bytes, name, progress);
   const bool is_plain = is_text(bytes.substr(0, 4096));
@@ -153,6 +153,10 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, 
                       name);
   }
   return detail::parse_binary_stl(bytes, name, std::move(keep));
+}
+
+bool looks_like_stl(std::string_view beginning, std::uint64_t size) {
+  return detail::has_binary_stl_size(beginning, size) || detail::looks_like_ascii_stl(beginning);
 }
 
 }  // namespace gouge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -35,5 +36,8 @@ namespace gouge {
 Result<TriangleSoup> parse_stl(std::string&& bytes, const std::string& name, std::shared_ptr<const void> keep = nullptr,
                                const ProgressCall& progress = {}) = delete;  ///< deleted: the string would not outlive
                                                                              ///< the soup
+
+/// Returns whether a file of `size` bytes is STL, by its first bytes.
+[[nodiscard]] bool looks_like_stl(std::string_view beginning, std::uint64_t size);
 
 }  // namespace gouge

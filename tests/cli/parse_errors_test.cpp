@@ -64,8 +64,6 @@ TEST(ParseErrors, AWrongCommandIsNamedBeforeItsOptions) {
   const std::string text = said({"CHECK", "a.apt", "--part", "p.stl"});
   EXPECT_TRUE(text.starts_with("'CHECK' is no command of gougecheck; expected check, correct, ")) << text;
   EXPECT_TRUE(text.ends_with("; did you mean check?")) << text;
-  EXPECT_TRUE(said({"finish.apt", "--part", "p.stl"})
-                  .ends_with("; a file stands behind the command: gougecheck check finish.apt"));
 }
 
 TEST(ParseErrors, AFileThatBeginsWithADashIsNamedAsTyped) {

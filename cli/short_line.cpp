@@ -1,0 +1,122 @@
+#include "cli/short_line.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/options/help_text.h"
+#include "lib/base/files.h"
+#include "lib/base/input_file.h"
+#include "lib/mesh/read_stl.h"
+#include "postproc/report/report_model.h"
+#include "toolmodels/import/read_any_tools.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStandardInput = "-";
+
+// A word with a dot or a slash is the name of a file, not a command that is misspelt.
+bool is_file_name(const std::string& word) {
+  std::error_code ignored;
+  if (word == kStandardInput) return true;
+  return !word.starts_with('-') && (word.find_first_of("./") != std::string::npos || fs::exists(word, ignored));
+}
+
+enum class Role { path, part, tools };
+
+Result<std::string> read_beginning(const std::string& file) {
+  constexpr std::size_t kBeginning = 65536;
+  Result<InputReader> reader = InputReader::open(file, kMaxInputBytes);
+  if (!reader) return reader.error();
+  std::string bytes(kBeginning, '\0');
+  std::size_t size = 0;
+  while (size < bytes.size()) {
+    const Result<std::size_t> count = reader->read(bytes.data() + size, bytes.size() - size);
+    if (!count) return count.error();
+    if (*count == 0) break;
+    size += *count;
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+bool is_tool_library(const std::string& file) {
+  constexpr std::uint64_t kMaxLibrary = 10'000'000;
+  std::error_code ignored;
+  if (fs::file_size(file, ignored) > kMaxLibrary) return false;
+  const Result<std::string> bytes = read_file(file, kMaxLibrary);
+  if (!bytes) return false;
+  const Result<ReadTools> tools = read_any_tools(file, *bytes, kMaxLibrary);
+  return tools.has_value() || tools.error().code != "library-foreign";
+}
+
+Result<Role> role_of(const std::string& file) {
+  if (file == kStandardInput) return Role::path;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (fs::is_directory(status))
+    return make_error("file-is-folder",
+                      "is a folder; expected a toolpath, or gougecheck batch with the toolpaths of a folder", file);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return make_error("usage",
+                      "'" + file + "' is a pipe or a device; expected gougecheck check with the option that it is for");
+  const Result<std::string> beginning = read_beginning(file);
+  if (!beginning) return beginning.error();
+  if (looks_like_stl(*beginning, fs::file_size(file, ignored)) || has_ending(file, ".stl")) return Role::part;
+  return is_tool_library(file) ? Role::tools : Role::path;
+}
+
+struct Files {
+  std::vector<std::string> paths, parts, libraries;
+};
+
+Diagnostic wrong_files(const std::string& message) {
+  return make_error("usage", message + "; expected " + kProgramName + " PATH PART.stl [TOOLS] [OPTIONS]");
+}
+
+std::optional<Diagnostic> find_wrong(const Files& files) {
+  if (files.paths.empty()) return wrong_files("none of the files is a toolpath");
+  if (files.paths.size() > 1)
+    return make_error("usage",
+                      listed(files.paths, " and ") + " are toolpaths; expected one, or gougecheck batch with all");
+  if (files.parts.size() > 1)
+    return make_error("usage", listed(files.parts, " and ") +
+                                   " are STL files; expected one, the part, and others with --fixture or --stock");
+  if (files.libraries.size() > 1) return wrong_files(listed(files.libraries, " and ") + " are tool libraries");
+  return std::nullopt;
+}
+
+std::string report_beside(const std::string& path) {
+  const fs::path file(path);
+  return (file.parent_path() / file.stem()).string() + "_report";
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> expand_short_line(const std::vector<std::string>& words,
+                                                   const std::vector<std::string>& commands) {
+  const bool has_command = words.size() < 2 || std::ranges::find(commands, words[1]) != commands.end();
+  if (has_command || !is_file_name(words[1])) return words;
+  const auto option = std::find_if(words.begin() + 1, words.end(),
+                                   [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
+  Files files;
+  for (auto word = words.begin() + 1; word != option; ++word) {
+    const Result<Role> role = role_of(*word);
+    if (!role) return role.error();
+    (*role == Role::part ? files.parts : *role == Role::tools ? files.libraries : files.paths).push_back(*word);
+  }
+  if (const auto wrong = find_wrong(files)) return *wrong;
+  const std::string& path = files.paths.front();
+  std::vector<std::string> made = {words.front(), "check", path};
+  for (const std::string& part : files.parts) made.insert(made.end(), {"--part", part});
+  for (const std::string& library : files.libraries) made.insert(made.end(), {"--tools", library});
+  const bool has_report = std::any_of(
+      option, words.end(), [](const std::string& word) { return word == "--report" || word.starts_with("--report="); });
+  if (!has_report && path != kStandardInput) made.insert(made.end(), {"--report", report_beside(path)});
+  made.insert(made.end(), option, words.end());
+  return made;
+}
+
+}  // namespace gouge

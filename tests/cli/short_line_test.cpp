@@ -1,0 +1,92 @@
+#include "cli/short_line.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lib/base/files.h"
+#include "tests/support/shapes.h"
+#include "tests/support/stl_text.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+class ShortLine : public ::testing::Test {
+ protected:
+  ShortLine() {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = (fs::temp_directory_path() / ("gouge_short_" + std::string(info->name()))).string();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    path = add("op.cls", "UNITS/MM\nGOTO/0,0,5\n");
+    part = add("block.bin", shapes::ascii_stl(shapes::cube()));
+    tools =
+        add("lib.txt", R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"ball","diameter":8,"length":20}}]})");
+  }
+  ~ShortLine() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string add(const std::string& name, const std::string& bytes) const {
+    EXPECT_TRUE(write_file(folder_ + "/" + name, bytes));
+    return folder_ + "/" + name;
+  }
+  [[nodiscard]] static Words expanded(Words words) {
+    words.insert(words.begin(), "gougecheck");
+    const Result<Words> made = expand_short_line(words, {"check", "path"});
+    return made ? *made : Words{to_text(made.error())};
+  }
+
+  std::string folder_, path, part, tools;
+};
+
+TEST_F(ShortLine, IsACheckWithItsReportBesideTheToolpath) {
+  const Words whole = {"gougecheck",          "check", path, "--part", part, "--tools", tools, "--report",
+                       folder_ + "/op_report"};
+  EXPECT_EQ(expanded({path, part, tools}), whole);
+  EXPECT_EQ(expanded({tools, part, path}), whole) << "contents count, not their order";
+  EXPECT_EQ(expanded({path, part}),
+            (Words{"gougecheck", "check", path, "--part", part, "--report", folder_ + "/op_report"}));
+}
+
+TEST_F(ShortLine, TakesTheOptionsOfACheck) {
+  EXPECT_EQ(expanded({path, part, "--tolerance", "0.02", "-q"}),
+            (Words{"gougecheck", "check", path, "--part", part, "--report", folder_ + "/op_report", "--tolerance",
+                   "0.02", "-q"}));
+  for (const Words& report : {Words{"--report", "r"}, Words{"--report=r"}}) {
+    Words line = {path}, made = {"gougecheck", "check", path};
+    line.insert(line.end(), report.begin(), report.end());
+    made.insert(made.end(), report.begin(), report.end());
+    EXPECT_EQ(expanded(line), made);
+  }
+  EXPECT_EQ(expanded({"-", part}), (Words{"gougecheck", "check", "-", "--part", part}));
+}
+
+TEST_F(ShortLine, LeavesCommandsAndWordsThatAreNoFiles) {
+  for (const Words& words :
+       {Words{"check", path}, Words{"path", "info", path}, Words{"chekc", path}, Words{"--help"}, Words{}}) {
+    Words whole = words;
+    whole.insert(whole.begin(), "gougecheck");
+    EXPECT_EQ(expanded(words), whole);
+  }
+}
+
+TEST_F(ShortLine, NamesFilesThatDoNotFit) {
+  const auto error = [&](const Words& words) { return expanded(words).front(); };
+  EXPECT_EQ(error({"none.cls", part}), "none.cls: error: no such file [file-not-found]");
+  EXPECT_NE(error({part, tools}).find("none of the files is a toolpath"), std::string::npos);
+  EXPECT_NE(error({path, add("b.cls", "GOTO/1,2,3\n"), part}).find("are toolpaths; expected one, or gougecheck batch"),
+            std::string::npos);
+  EXPECT_NE(error({path, part, add("vise.stl", "damaged")}).find("others with --fixture or --stock"),
+            std::string::npos);
+  EXPECT_NE(error({path, part, tools, add("b.json", R"({"units":"mm","tools":[]})")}).find("are tool libraries"),
+            std::string::npos);
+  EXPECT_NE(error({folder_, part}).find("is a folder"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge
