@@ -15,9 +15,12 @@ void describe_program(CLI::App& app) {
   app.formatter(make_help_formatter());
   app.description(
       "Certified gouge check and correction of 5-axis toolpaths.\n"
-      "The program reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain "
-      "APT. It checks cutter, shank and holder against STL parts and fixtures, over the whole motion of every "
-      "move. It corrects moves that gouge, and reports every finding with evidence.");
+      "The usual job, which writes a report beside the toolpath:\n"
+      "  gougecheck PATH PART.stl [TOOLS] [OPTIONS of check]\n\n"
+      "The program reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, "
+      "and programs of LinuxCNC, Haas, Fanuc, Siemens and Heidenhain. It checks cutter, shank and holder against STL "
+      "parts and fixtures, over the whole motion of every move. It corrects moves that gouge, and reports every "
+      "finding with evidence.");
   const std::string name = std::string(kProgramName) + " " + kProgramVersion;
   app.add_flag_callback(
       "-V", [name] { throw CLI::CallForVersion(name, 0); }, "Print only the version, in one line");

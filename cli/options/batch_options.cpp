@@ -84,7 +84,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
       "   \"jobs\": [{\"name\": \"op10\", \"path\": \"op10.apt\"},\n"
       "            {\"path\": \"finish/*.apt\", \"command\": \"correct\"}]}\n\n"
       "The exit status is that of the worst job. The order from worst to best is 5, 2, 3, 1, 4, 0. 'gougecheck "
-      "check --help' explains the statuses.");
+      "help check' explains the statuses.");
 }
 
 void take_words(const CLI::App& command, BatchArguments& arguments) {

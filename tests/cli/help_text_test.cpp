@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -65,10 +66,23 @@ TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
   }
 }
 
+TEST(HelpText, CommandsWithManyOptionsShowTheUsualOnesOnAPage) {
+  for (const char* command : {"check", "correct", "batch"}) {
+    const char* argv[] = {"gougecheck", command, "--help"};
+    std::ostringstream out, err;
+    EXPECT_EQ(run(3, argv, out, err), 0);
+    const std::string text = out.str();
+    EXPECT_LE(std::ranges::count(text, '\n'), 30) << text;
+    EXPECT_NE(text.find("--part FILE"), std::string::npos) << text;
+    EXPECT_NE(text.find("All options: gougecheck help " + std::string(command) + " --all\n"), std::string::npos)
+        << text;
+  }
+}
+
 TEST(HelpText, TypesChoicesDefaultsAndNeedsAreNamed) {
-  const char* argv[] = {"gougecheck", "check", "--help"};
+  const char* argv[] = {"gougecheck", "help", "check", "--all"};
   std::ostringstream out, err;
-  EXPECT_EQ(run(3, argv, out, err), 0);
+  EXPECT_EQ(run(4, argv, out, err), 0);
   for (const char* text : {"--rapid straight|dogleg|skip", "--tool N=NAME", "--tolerance LENGTH", "[default: 0.01mm]",
                            "--part FILE", "[required]", "\nTerminal:\n", "\nOutput:\n", "--threads N"})
     EXPECT_NE(out.str().find(text), std::string::npos) << text << out.str();
