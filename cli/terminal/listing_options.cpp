@@ -56,6 +56,7 @@ FindingsView view_on(std::ostream& out, const ListingArguments& arguments, bool 
   if (arguments.most == "auto" && is_terminal(out)) view.most = kMaxOnTerminal;
   view.has_statements = has_statements;
   view.is_coloured = is_coloured(out);
+  view.columns = terminal_columns(out);
   return view;
 }
 

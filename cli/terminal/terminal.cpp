@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <csignal>
 #include <cstdlib>
@@ -27,6 +28,13 @@ bool has_value(const char* name, std::string_view wanted = {}) {
 bool is_terminal(const std::ostream& stream) {
   if (&stream == &std::cout) return ::isatty(STDOUT_FILENO) == 1;
   return &stream == &std::cerr && ::isatty(STDERR_FILENO) == 1;
+}
+
+std::size_t terminal_columns(const std::ostream& stream) {
+  if (!is_terminal(stream)) return 0;
+  winsize size{};
+  const int handle = &stream == &std::cout ? STDOUT_FILENO : STDERR_FILENO;
+  return ::ioctl(handle, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 void choose_colour(std::ostream& stream, std::string_view word) {

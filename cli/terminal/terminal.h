@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <string_view>
 
@@ -14,6 +15,9 @@ namespace gouge {
 
 /// Returns whether `stream` is standard output or standard error and these are a terminal.
 [[nodiscard]] bool is_terminal(const std::ostream& stream);
+
+/// Returns the width of the terminal; 0: `stream` is none, or its width is not known.
+[[nodiscard]] std::size_t terminal_columns(const std::ostream& stream);
 
 /// Applies --color to a stream; `word` is auto, always or never. Auto means colours on a terminal, unless the
 /// environment has NO_COLOR with a value (no-color.org) or TERM=dumb.

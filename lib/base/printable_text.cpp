@@ -125,4 +125,31 @@ std::string valid_utf8(std::string_view text) {
   return out;
 }
 
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+  const std::string new_line = "\n" + std::string(indent, ' ');
+  std::string out;
+  std::size_t used = indent;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool is_example = (at == 0 || text[at - 1] == '\n') && text[at] == ' ';
+    const std::size_t end = std::min(text.find_first_of(is_example ? "\n" : " \n", at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const bool is_first = used == indent;
+    if (!is_first && used + 1 + display_width(word) > width) {
+      out += new_line;
+      used = indent;
+    } else if (!is_first && !word.empty()) {
+      out += " ";
+      ++used;
+    }
+    out += word;
+    used += display_width(word);
+    at = end + 1;
+    if (end < text.size() && text[end] == '\n') {
+      out += new_line;
+      used = indent;
+    }
+  }
+  return out;
+}
+
 }  // namespace gouge

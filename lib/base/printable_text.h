@@ -25,6 +25,10 @@ namespace gouge {
 /// Returns printable(text), padded with blanks to `width` columns. Wider text is not cut.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 
+/// Returns `text` in lines of at most `width` characters, broken at blanks, each but the first after `indent` blanks,
+/// which count. Line breaks of the text stay, and lines that begin with a blank are examples and stay as they are.
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
 struct CodePoint {
   char32_t value = 0;
   std::size_t bytes = 1;  ///< number of bytes that it takes in the text

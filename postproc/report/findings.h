@@ -88,6 +88,7 @@ struct FindingsView {
   std::size_t most = kAll;        ///< maximum number of findings listed, the deepest ones
   bool has_statements = false;    ///< whether the statement of each finding is quoted
   bool is_coloured = false;
+  std::size_t columns = 0;  ///< width of the terminal, at which long lines of the summary break; 0: none is one
 };
 
 /// The findings that a view lists.

@@ -23,6 +23,12 @@ constexpr double kNoteworthy = 1.02;
 // the cursor.
 std::string line(const std::string& text) { return printable(text) + "\n"; }
 
+// Returns the text as lines of the summary; those behind the first are indented. columns 0: one line.
+std::string summary_line(const std::string& text, std::size_t columns) {
+  constexpr std::size_t kIndent = 2;
+  return columns == 0 ? line(text) : wrapped(printable(text), columns, kIndent) + "\n";
+}
+
 std::string bodies(const ReportModel& model) {
   std::string text;
   for (const std::vector<MeshFacts>* meshes : {&model.parts, &model.fixtures}) {
@@ -200,12 +206,13 @@ class FindingsWriter {
     const Event& event = model_.result->events[index];
     const Toolpath& path = *model_.toolpath;
     const Move& move = path.moves[event.worst_move];
-    const std::string operation = operation_name(path, move.operation);
     add(path, move.line,
         (model_.baseline.is_accepted(index) ? "accepted " : "") + event_text(model_, event) + span_text(event) +
-            (operation.empty() ? "" : ", operation " + operation),
+            setting_text(model_, event),
         event.state == MoveState::near_miss || model_.baseline.is_accepted(index) ? Paint::warning : Paint::error);
     add_statement(event.worst_move);
+    const std::string pose = view_.has_statements ? pose_text(model_, event) : "";
+    if (!pose.empty()) text_ += painted(line("         " + pose), Paint::faint, view_.is_coloured);
     for (const std::string& remark : acceptance_remarks(model_, index)) text_ += line("  " + remark);
     if (const FindingCures* cures = cures_of(model_, index)) text_ += line("  cured by " + cure_text(model_, *cures));
   }
@@ -282,28 +289,34 @@ Headlines headlines(const ReportModel& model) {
   return lines;
 }
 
-std::string summary_text(const ReportModel& model, bool is_coloured) {
-  std::string text = line(model.toolpath->file + bodies(model));
+std::string summary_text(const ReportModel& model, bool is_coloured, std::size_t columns) {
+  constexpr std::size_t kColumnsOfFacts = 100;
+  const auto put = [&](const std::string& one) { return summary_line(one, columns); };
+  std::string text = put(model.toolpath->file + bodies(model));
   text += verdict_lines(model, is_coloured);
-  for (const std::string& fact : open_facts(model)) text += line("not established: " + fact);
-  for (const std::string& reservation : reservations(model)) text += line("note: " + reservation);
-  text += line("moves: " + counts_line(model.result->counts));
+  for (const std::string& fact : open_facts(model)) text += put("not established: " + fact);
+  for (const std::string& reservation : reservations(model)) text += put("note: " + reservation);
+  text += put("moves: " + counts_line(model.result->counts));
   const std::string overcut = overcut_gaps_text(model);
-  if (!overcut.empty()) text += line("overcut: " + overcut);
+  if (!overcut.empty()) text += put("overcut: " + overcut);
   text += baseline_lines(model);
-  if (model.result->closest_approach) text += line("closest approach to the part: " + closest_approach_text(model));
-  if (const std::string any = any_turn_text(model); !any.empty()) text += line("rotary joints: " + any);
-  if (const std::string stock = stock_text(model); !stock.empty()) text += line("stock: " + stock);
-  if (const std::string left = stock_left_text(model); !left.empty()) text += line("stock left: " + left);
-  if (const std::string excess = excess_text(model); !excess.empty()) text += line("excess: " + excess);
-  for (const LawRecord& law : model.laws) text += line(law_label(law) + ": " + law_text(model, law));
+  if (model.result->closest_approach) text += put("closest approach to the part: " + closest_approach_text(model));
+  if (const std::string any = any_turn_text(model); !any.empty()) text += put("rotary joints: " + any);
+  if (const std::string stock = stock_text(model); !stock.empty()) text += put("stock: " + stock);
+  if (const std::string left = stock_left_text(model); !left.empty()) text += put("stock left: " + left);
+  if (const std::string excess = excess_text(model); !excess.empty()) text += put("excess: " + excess);
+  for (const LawRecord& law : model.laws) text += put(law_label(law) + ": " + law_text(model, law));
   text += stickout_lines(model);
   if (model.has_correction) text += correction_lines(model);
-  return text + line("guarantee: " + guarantee_text(model));
+  const Guarantee guarantee = guarantee_of(model);
+  text += put("guarantee: " + guarantee.text);
+  return text + (guarantee.facts.empty()
+                     ? ""
+                     : summary_line("rests on: " + guarantee.facts, columns == 0 ? kColumnsOfFacts : columns));
 }
 
 std::string findings_text(const ReportModel& model, const FindingsView& view) {
-  return FindingsWriter(model, view).write() + summary_text(model, view.is_coloured);
+  return FindingsWriter(model, view).write() + summary_text(model, view.is_coloured, view.columns);
 }
 
 }  // namespace gouge

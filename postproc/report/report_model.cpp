@@ -98,7 +98,7 @@ std::string tube_text(const MotionTube& tube, LengthUnit unit) {
 
 }  // namespace
 
-std::string guarantee_text(const ReportModel& model) {
+Guarantee guarantee_of(const ReportModel& model) {
   const LengthUnit unit = model.toolpath->unit;
   const CheckOptions& options = model.options;
   const double limit_mm = options.tolerance_mm + options.resolution_mm;
@@ -109,12 +109,17 @@ std::string guarantee_text(const ReportModel& model) {
   const std::size_t left_out = n.not_checked + n.not_certified;
   const std::size_t covered = model.result->verdicts.size() - left_out;
   const std::string facts = assumptions_text(model.result->assumptions);
-  const std::string basis = facts.empty() ? "" : "; it rests on " + facts;
-  if (left_out == 0) return limit + basis;
+  if (left_out == 0) return {limit, facts};
   const std::string not_covered = count_text(left_out, "move") + " not checked or not certified";
-  if (covered == 0) return "none: it does not cover the " + not_covered;
-  return "in the " + count_text(covered, "move") + " that " + (covered == 1 ? "is" : "are") + " certified, " + limit +
-         "; it does not cover the " + not_covered + basis;
+  if (covered == 0) return {"none: it does not cover the " + not_covered, ""};
+  return {"in the " + count_text(covered, "move") + " that " + (covered == 1 ? "is" : "are") + " certified, " + limit +
+              "; it does not cover the " + not_covered,
+          facts};
+}
+
+std::string guarantee_text(const ReportModel& model) {
+  const Guarantee guarantee = guarantee_of(model);
+  return guarantee.text + (guarantee.facts.empty() ? "" : "; it rests on " + guarantee.facts);
 }
 
 std::vector<std::string> open_facts(const ReportModel& model) {

@@ -149,6 +149,12 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges, m
 /// tool reaches at most 3 times that into a solid".
 [[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
+/// The guarantee, and the facts that it rests on ("path-unit mm (stated), ..."), which may be empty.
+struct Guarantee {
+  std::string text, facts;
+};
+[[nodiscard]] Guarantee guarantee_of(const ReportModel& model);
+
 /// Returns one sentence for each assumption that prevents a clean verdict, with its reason and remedy.
 [[nodiscard]] std::vector<std::string> open_facts(const ReportModel& model);
 

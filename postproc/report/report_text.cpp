@@ -294,6 +294,51 @@ std::string span_text(const Event& event) {
          std::to_string(event.last_move) + ")";
 }
 
+namespace {
+
+std::string feed_text(const Feed& feed, LengthUnit unit) {
+  const bool is_rate = feed.unit == FeedUnit::per_minute || feed.unit == FeedUnit::per_revolution;
+  if (feed.unit == FeedUnit::rapid) return "rapid";
+  if (!is_rate || !(feed.mm > 0)) return {};
+  return "feed " + length_text(feed.mm, unit) + (feed.unit == FeedUnit::per_minute ? "/min" : "/rev");
+}
+
+// Returns the name of a numbered tool in the library, else in the toolpath; empty: it has none.
+std::string shop_name(const ReportModel& model, std::size_t tool) {
+  const Toolpath& path = *model.toolpath;
+  if (tool >= model.tools.size() || tool >= path.tools.size() || !path.tools[tool].number) return {};
+  const std::string& description = model.tools[tool].description;
+  const std::size_t end = description.find(": ");
+  return end == std::string::npos ? path.tools[tool].name : description.substr(0, end);
+}
+
+}  // namespace
+
+std::string setting_text(const ReportModel& model, const Event& event) {
+  const Toolpath& path = *model.toolpath;
+  const Move& move = path.moves[event.worst_move];
+  const std::size_t first = path.moves[event.first_move].line, last = path.moves[event.last_move].line;
+  const std::string operation = operation_name(path, move.operation);
+  const std::string tool = shop_name(model, event.tool);
+  std::string text;
+  if (first != last) text += ", lines " + std::to_string(first) + "-" + std::to_string(last);
+  if (!operation.empty()) text += ", operation " + operation;
+  if (!tool.empty()) text += ", tool " + tool;
+  const std::string feed = feed_text(move.feed(), path.unit);
+  return text + (feed.empty() ? "" : ", " + feed);
+}
+
+std::string pose_text(const ReportModel& model, const Event& event) {
+  const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
+  if (!verdict.witness) return {};
+  const Motion motion = model.options.law.of(*model.toolpath, event.worst_move).with(verdict.witness->turn);
+  if (!motion.is_defined()) return {};
+  const Pose pose = motion.at(verdict.witness->t);
+  std::string axis;
+  for (int k = 0; k < 3; ++k) axis += (k > 0 ? ", " : "") + display_text(pose.axis[k], 6);
+  return "tip " + point_text(pose.tip, model.toolpath->unit) + ", axis (" + axis + ")";
+}
+
 std::string group_text(const ReasonGroup& group) {
   const std::string what = group.state == MoveState::not_checked ? "not checked" : "not certified";
   const std::string reason = group.reason.empty() ? "no reason given" : group.reason;

@@ -84,6 +84,11 @@ struct UncutTotal {
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);
 /// Returns " (7 moves, 118-124)", or nothing if the event is one move.
 [[nodiscard]] std::string span_text(const Event& event);
+/// Returns where the event is in the words of the shop: ", lines 12-13, operation FINISH, tool ball D10, feed 800 mm/min".
+/// Parts that are not known are left out.
+[[nodiscard]] std::string setting_text(const ReportModel& model, const Event& event);
+/// Returns the pose of the tool at the worst instant: "tip (1, 2, 3), axis (0, 0, 1)"; empty without a witness.
+[[nodiscard]] std::string pose_text(const ReportModel& model, const Event& event);
 /// Returns one of group_reasons without its location: "not checked: <reason> (3 moves, the first is move 7)".
 [[nodiscard]] std::string group_text(const ReasonGroup& group);
 

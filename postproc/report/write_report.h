@@ -26,7 +26,7 @@ struct Headlines {
 [[nodiscard]] Headlines headlines(const ReportModel& model);
 
 /// Returns only the summary.
-[[nodiscard]] std::string summary_text(const ReportModel& model, bool is_coloured = false);
+[[nodiscard]] std::string summary_text(const ReportModel& model, bool is_coloured = false, std::size_t columns = 0);
 
 /// Returns the report as one HTML page that needs no other file. It has verdict, guarantee, pictures (embedded),
 /// findings and the changes of a correction. It also has the unchecked moves, inputs with checksums, and options. It

@@ -30,10 +30,12 @@ TEST(FindingsText, ReportsEveryFindingAndTheSummary) {
   const SmallReport report;
   EXPECT_EQ(
       findings_text(report.model),
-      "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2), operation finish <1>\n"
+      "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2), lines 11-12, operation "
+      "finish <1>, tool ball D10\n"
       "path.apt:13: near: 0.125 mm left holder T1 against fixture vise.stl at (1, 2, 3), move 3 t=0.5, operation "
-      "finish <1>\n"
-      "path.apt:14: buried: cutter T1 lies inside a solid, no surface within the tool, move 4, operation finish <1>\n"
+      "finish <1>, tool ball D10\n"
+      "path.apt:14: buried: cutter T1 lies inside a solid, no surface within the tool, move 4, operation finish <1>, "
+      "tool ball D10\n"
       "path.apt:15: not certified: budget of 10 bounds spent, move 5\n"
       "path.apt:16: not checked: arcs, as yet, are not read (2 moves, the first is move 6)\n"
       "path.apt against part.stl, vise.stl\n"
@@ -42,6 +44,25 @@ TEST(FindingsText, ReportsEveryFindingAndTheSummary) {
       "guarantee: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm is "
       "missed, and where none is reported the tool reaches at most 3 times that into a solid; it does not cover "
       "the 3 moves not checked or not certified\n");
+}
+
+TEST(FindingsText, TheSummaryBreaksAtTheWidthOfATerminal) {
+  const SmallReport report;
+  constexpr std::size_t kColumns = 60;
+  const std::vector<std::string> lines = lines_of(summary_text(report.model, false, kColumns));
+  EXPECT_GT(lines.size(), lines_of(summary_text(report.model)).size());
+  for (const std::string& line : lines) EXPECT_LE(line.size(), kColumns) << line;
+}
+
+TEST(FindingsText, StatesTheFeedAndThePoseOfTheToolOnRequest) {
+  SmallReport report;
+  report.path.moves[2].set_feed({800, FeedUnit::per_minute});
+  FindingsView view;
+  view.has_statements = true;
+  const std::string text = findings_text(report.model, view);
+  EXPECT_NE(text.find(", tool ball D10, feed 800 mm/min\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n         tip ("), std::string::npos) << text;
+  EXPECT_EQ(findings_text(report.model).find("tip ("), std::string::npos);
 }
 
 TEST(FindingsText, AViewListsLessAndCountsTheRest) {
@@ -187,7 +208,7 @@ TEST(FindingsText, AnOpenFactKeepsAPathOfCleanMovesFromBeingClean) {
   const std::vector<std::string> lines = lines_of(summary_text(report.model));
   EXPECT_EQ(lines[1], "not fully checked: no gouge found, but 1 fact that the verdict rests on is not established");
   EXPECT_EQ(lines[2], "not established: path-unit (unknown): no unit; give --path-units");
-  EXPECT_NE(lines.back().find("; it rests on path-unit mm (unknown), tool T1 ball (stated)"), std::string::npos);
+  EXPECT_NE(lines.back().find("rests on: path-unit mm (unknown), tool T1 ball (stated)"), std::string::npos);
   EXPECT_NE(write_junit(report.model).find("<error message=\"path-unit (unknown): no unit; give --path-units\""),
             std::string::npos);
   EXPECT_NE(write_json(report.model).find("\"state\": \"unknown\""), std::string::npos);
