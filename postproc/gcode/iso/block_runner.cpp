@@ -114,6 +114,11 @@ void BlockRunner::take_code(const GcodeRow& row) {
       break;
     case Meaning::inch:
     case Meaning::mm:
+      if (const auto unit = row.meaning == Meaning::inch ? LengthUnit::inch : LengthUnit::mm;
+          modes_.unit && *modes_.unit != unit && words_.has_axes() && index_.control().syntax.has_macros)
+        return lose_rest(code_text(row.letter, row.number) +
+                             " changes the unit in a block with axis words; expected a block of its own",
+                         line_);
       if (modes_.motion != nullptr && modes_.motion->meaning == Meaning::cycle)
         cycle_.open =
             "the unit is stated while a cycle is in force, whose R and Z are in the unit before; expected G80";

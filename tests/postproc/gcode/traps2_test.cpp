@@ -70,6 +70,14 @@ TEST(GcodeEffects, AWorkOffsetThatFollowsTheJointsNeedsAMachine) {
   expect_open(program("G254\nG0 X5. Y0.\nG255\nG0 X6.\n"), "haas", "expected --machine", measured());
 }
 
+// Source: Fanuc B-63944EN, 8.2: the unit is stated in a block of its own.
+TEST(GcodeEffects, TheUnitDoesNotChangeInABlockWithAMotion) {
+  for (const char* control : {"haas", "fanuc"}) {
+    expect_open(program("G20 G0 X5.\n"), control, "changes the unit in a block with axis words", measured());
+    expect_checked(program("G21 G0 X5.\n"), control, measured());
+  }
+}
+
 TEST(GcodeEffects, ABlockThatIsLeftOutIsNoPlaceToGoTo) {
   ProgramSetup setup = measured();
   setup.is_block_delete_on = true;
