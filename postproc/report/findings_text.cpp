@@ -111,21 +111,24 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
 }
 
 // Returns the line of the verdict. The word before the colon is the verdict, which a terminal shows in colour.
-std::string verdict_line(const std::string& text, OverallVerdict verdict, bool is_coloured) {
+std::string verdict_line(const std::string& text, OverallVerdict verdict, bool is_coloured, std::size_t columns) {
   const Paint paint = verdict == OverallVerdict::clean      ? Paint::clean
                       : exit_status(verdict) == kExitGouges ? Paint::error
                                                             : Paint::warning;
-  const std::string shown = printable(text);
+  const std::string shown = summary_line(text, columns);
   const std::size_t end = shown.find(':') + 1;
-  return painted(shown.substr(0, end), paint, is_coloured) + shown.substr(end) + "\n";
+  return painted(shown.substr(0, end), paint, is_coloured) + shown.substr(end);
 }
 
-std::string verdict_lines(const ReportModel& model, bool is_coloured) {
+std::string verdict_lines(const ReportModel& model, bool is_coloured, std::size_t columns) {
   const auto [now, before] = headlines(model);
-  const std::string line = verdict_line(now, overall_verdict(model), is_coloured);
+  constexpr std::string_view kBefore = "before ", kAfter = "after  ";
+  const std::size_t room = before.empty() || columns < kBefore.size() ? columns : columns - kBefore.size();
+  const std::string line = verdict_line(now, overall_verdict(model), is_coloured, room);
   if (before.empty()) return line;
-  return "before " + verdict_line(before, overall_verdict(*model.correction.result_before), is_coloured) + "after  " +
-         line;
+  return std::string(kBefore) +
+         verdict_line(before, overall_verdict(*model.correction.result_before), is_coloured, room) +
+         std::string(kAfter) + line;
 }
 
 std::string counts_line(const StateCounts& n) {
@@ -293,7 +296,7 @@ std::string summary_text(const ReportModel& model, bool is_coloured, std::size_t
   constexpr std::size_t kColumnsOfFacts = 100;
   const auto put = [&](const std::string& one) { return summary_line(one, columns); };
   std::string text = put(model.toolpath->file + bodies(model));
-  text += verdict_lines(model, is_coloured);
+  text += verdict_lines(model, is_coloured, columns);
   for (const std::string& fact : open_facts(model)) text += put("not established: " + fact);
   for (const std::string& reservation : reservations(model)) text += put("note: " + reservation);
   text += put("moves: " + counts_line(model.result->counts));

@@ -224,7 +224,7 @@ TEST(FindingsText, SaysWhichDepthsAreKnownLessCloselyThanAsked) {
   EXPECT_EQ(
       lines_of(findings_text(report.model))[0],
       "path.apt:12: gouge: 0.333 mm (at most 0.354 mm) cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2), "
-      "operation finish <1>");
+      "lines 11-12, operation finish <1>, tool ball D10");
   EXPECT_EQ(lines_of(summary_text(report.model))[2],
             "note: the depth of 1 of 2 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 "
             "mm: move 2, line 12, is at least 0.333 mm and at most 0.354 mm deep");
