@@ -42,7 +42,9 @@ Diagnostics missing_letters(const ReportModel& model) {
 JobOutputs::JobOutputs(const JobArguments& arguments, const std::string& corrected)
     : arguments_(arguments), outputs_(outputs_of(arguments, corrected)) {
   const std::string folder = report_folder_of(outputs_);
-  if (!folder.empty()) report_.emplace(folder, arguments.is_forced);
+  if (folder.empty()) return;
+  report_.emplace(folder, arguments.is_forced);
+  report_->set_toolpath(arguments.path);
 }
 
 std::optional<int> JobOutputs::refuse(std::ostream& err) {
@@ -50,6 +52,9 @@ std::optional<int> JobOutputs::refuse(std::ostream& err) {
   if (!report_) return std::nullopt;
   const Outcome opened = report_->open();
   if (!opened) return fail(err, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
+  if (const std::string& other = report_->replaced_toolpath(); !other.empty() && !arguments_.is_quiet)
+    print(err, {make_note("report-replaced", "holds the report of " + other + ", which this one replaces",
+                          report_folder_of(outputs_))});
   const Outcome loaded = load_pictures();
   if (!loaded) return fail(err, {loaded.error()}, kExitInternal);
   return std::nullopt;

@@ -91,6 +91,9 @@ Outcome ReportFolder::look() {
     if (!read) return read.error();
     manifest = std::move(*read);
   }
+  const auto plain = [](const std::string& file) { return fs::path(file).lexically_normal(); };
+  const bool is_of_other = manifest && !manifest->toolpath.empty() && plain(manifest->toolpath) != plain(toolpath_);
+  replaced_ = is_of_other ? manifest->toolpath : "";
   std::vector<std::string> others;
   for (const std::string& name : names_) {
     const fs::file_status found = fs::symlink_status(at(name), ignored);
@@ -156,7 +159,7 @@ Outcome ReportFolder::remove_older() {
 
 Outcome ReportFolder::commit() {
   // Until the last file is in its place, each file may be the old one or the new one.
-  ReportManifest either{present_, false};
+  ReportManifest either{present_, false, toolpath_};
   either.files.insert(either.files.end(), new_.begin(), new_.end());
   if (Outcome put = put_manifest(either); !put) return put;
   made_.clear();
@@ -164,7 +167,7 @@ Outcome ReportFolder::commit() {
     if (Outcome put = file.commit(); !put) return put;
   }
   if (Outcome removed = remove_older(); !removed) return removed;
-  return put_manifest({new_, true});
+  return put_manifest({new_, true, toolpath_});
 }
 
 namespace {
@@ -188,11 +191,12 @@ std::string write_manifest(const ReportManifest& manifest) {
   Json files = Json::array();
   for (const ManifestEntry& file : manifest.files)
     files.push_back(Json{{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
-  const Json json = {{"format", kFormat},
-                     {"format_version", kVersion},
-                     {"program", Json{{"name", kProgramName}, {"version", kProgramVersion}}},
-                     {"complete", manifest.is_complete},
-                     {"files", files}};
+  Json json = {{"format", kFormat},
+               {"format_version", kVersion},
+               {"program", Json{{"name", kProgramName}, {"version", kProgramVersion}}},
+               {"complete", manifest.is_complete},
+               {"files", files}};
+  if (!manifest.toolpath.empty()) json["toolpath"] = manifest.toolpath;
   return json.dump(1) + "\n";
 }
 
@@ -205,6 +209,8 @@ std::optional<ReportManifest> read_manifest(std::string_view text) {
   if (!json.contains("files") || !json["files"].is_array()) return std::nullopt;
   ReportManifest manifest;
   manifest.is_complete = json.value("complete", nlohmann::json()) == true;
+  const nlohmann::json toolpath = json.value("toolpath", nlohmann::json(""));
+  if (toolpath.is_string()) manifest.toolpath = toolpath;
   for (const nlohmann::json& file : json["files"]) {
     std::optional<ManifestEntry> entry = read_entry(file);
     if (!entry) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lib/base/diagnostic.h"
@@ -30,6 +31,7 @@ struct ManifestEntry {
 struct ReportManifest {
   std::vector<ManifestEntry> files;  ///< one name may have two contents while a report is being replaced
   bool is_complete = true;           ///< false: while a report is being replaced
+  std::string toolpath = {};         ///< as the user named it; empty: not stated
 
   [[nodiscard]] bool has(const ManifestEntry& file) const;
 };
@@ -70,6 +72,11 @@ class ReportFolder {
   /// report-busy (another process has the folder), report-foreign.
   [[nodiscard]] Outcome open();
 
+  /// States the toolpath that the new report is about, before open(). The manifest has its name.
+  void set_toolpath(std::string toolpath) { toolpath_ = std::move(toolpath); }
+  /// Returns, after open(), the toolpath of the older report if it is another one; empty: it is the same, or not stated.
+  [[nodiscard]] const std::string& replaced_toolpath() const { return replaced_; }
+
   /// Makes the folder if necessary, opens it again, and writes all of `files` beside their places, without a name yet.
   /// Errors: folder-unwritable, file-unwritable, and those of open().
   [[nodiscard]] Outcome stage(const std::vector<NamedFile>& files);
@@ -88,7 +95,7 @@ class ReportFolder {
   [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
   [[nodiscard]] Diagnostic foreign(const std::string& message) const;
 
-  std::string folder_;
+  std::string folder_, toolpath_, replaced_;
   bool is_forced_;
   const std::vector<std::string>& names_;
   int lock_ = -1;                       // handle of the locked folder

@@ -65,6 +65,23 @@ class Folder : public testing::Test {
   std::string root_, folder_, message_;
 };
 
+TEST_F(Folder, NamesTheToolpathOfTheReportThatItReplaces) {
+  const auto replaced = [&](const std::string& toolpath) {
+    ReportFolder report(folder_, false);
+    report.set_toolpath(toolpath);
+    EXPECT_TRUE(report.open());
+    EXPECT_TRUE(report.stage(named({{"report.html", toolpath}})));
+    const std::string other = report.replaced_toolpath();
+    EXPECT_TRUE(report.commit());
+    return other;
+  };
+  EXPECT_EQ(replaced("op10.cls"), "");
+  EXPECT_EQ(replaced("./op10.cls"), "") << "the same file by another name";
+  EXPECT_EQ(replaced("op20.cls"), "./op10.cls");
+  EXPECT_EQ(report({{"report.html", "of no toolpath"}}), "");
+  EXPECT_EQ(replaced("op30.cls"), "");
+}
+
 TEST_F(Folder, AReportTakesThePlaceOfAnOlderOneAndOfNothingElse) {
   const Content foreign = {{"event_10.png", "m"}, {"event_.png", "m"},    {"event_2.PNG", "m"},
                            {"event_0.png", "m"},  {"result.jsonl", "m"},  {"moves.csv.bak", "m"},
