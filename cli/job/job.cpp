@@ -21,6 +21,7 @@
 #include "lib/check/scene_reach.h"
 #include "lib/geom/pose.h"
 #include "lib/machine/linuxcnc_ini.h"
+#include "lib/mesh/chord_error.h"
 #include "postproc/formats/read_toolpath.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
@@ -60,6 +61,27 @@ void identify_tool(const ToolAssembly& tool, bool is_extended_up, ToolFacts& fac
   facts.bodies = {Body::cutter};
   if (!tool.shank.empty() || counts_as(Body::shank)) facts.bodies.push_back(Body::shank);
   if (!tool.holder.empty() || counts_as(Body::holder)) facts.bodies.push_back(Body::holder);
+}
+
+// Estimates for each event the chord error of its part at the triangle of the worst move; 0 for other events.
+std::vector<double> chord_errors_mm(const std::vector<IndexedMesh>& parts, const CheckResult& result) {
+  std::vector<double> errors(result.events.size(), 0);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::size_t> events;
+    for (std::size_t i = 0; i < result.events.size(); ++i) {
+      const Event& event = result.events[i];
+      const std::optional<Witness>& witness = result.verdicts[event.worst_move].witness;
+      const bool is_in_part = event.state == MoveState::gouge && event.against == Against::part && witness;
+      if (!is_in_part || witness->mesh != part) continue;
+      triangles.push_back(witness->triangle);
+      events.push_back(i);
+    }
+    if (triangles.empty()) continue;
+    const std::vector<double> found = estimate_chord_errors_mm(parts[part], triangles);
+    for (std::size_t k = 0; k < events.size(); ++k) errors[events[k]] = found[k];
+  }
+  return errors;
 }
 
 class JobLoader {
@@ -340,6 +362,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.stickouts = std::move(parts.stickouts);
   model.cure_options = parts.cure_options;
   model.cures = std::move(parts.cures);
+  model.chord_errors_mm = chord_errors_mm(scene().parts, result);
   model.laws = std::move(parts.laws);
   model.certificate_bytes = parts.certificate_bytes;
   model.stock_left = std::move(parts.stock_left);

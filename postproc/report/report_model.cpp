@@ -136,6 +136,32 @@ std::vector<std::string> open_facts(const ReportModel& model) {
   return all;
 }
 
+namespace {
+
+// States how many gouges of the part may come from its facets: without their estimated error they are within tolerance.
+std::string chord_error_text(const ReportModel& model) {
+  std::size_t gouges = 0, within = 0;
+  double most_mm = 0;
+  for (std::size_t i = 0; i < model.chord_errors_mm.size(); ++i) {
+    const Event& event = model.result->events[i];
+    if (event.state != MoveState::gouge || event.against != Against::part) continue;
+    ++gouges;
+    const double error_mm = model.chord_errors_mm[i];
+    if (model.result->verdicts[event.worst_move].depth_mm > model.options.tolerance_mm + error_mm) continue;
+    ++within;
+    most_mm = std::max(most_mm, error_mm);
+  }
+  if (within == 0) return {};
+  const LengthUnit unit = model.toolpath->unit;
+  return std::to_string(within) + " of " + count_text(gouges, "finding") +
+         " in the part may come from the facets of the STL alone: "
+         "its chord error there is about " +
+         depth_text(most_mm, unit) + (within > 1 ? " at most" : "") +
+         "; export it with a chordal tolerance well below " + length_text(model.options.tolerance_mm, unit);
+}
+
+}  // namespace
+
 std::vector<std::string> reservations(const ReportModel& model) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> all = remedies(model);
@@ -152,6 +178,7 @@ std::vector<std::string> reservations(const ReportModel& model) {
   if (std::string low = low_rapids_text(model.correction, model.toolpath->unit); !low.empty())
     all.push_back(std::move(low));
   if (std::string gaps = depth_gaps_text(model); !gaps.empty()) all.push_back(std::move(gaps));
+  if (std::string chords = chord_error_text(model); !chords.empty()) all.push_back(std::move(chords));
   std::string bare;
   std::size_t count = 0;
   for (const ToolFacts& tool : model.tools) {

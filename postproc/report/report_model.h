@@ -128,6 +128,7 @@ struct ReportModel {
   std::vector<LawRecord> laws;              ///< laws of motion that the check compares; empty: not requested
   std::optional<CureOptions> cure_options;  ///< none: not requested
   std::vector<FindingCures> cures;          ///< for each event, in their order
+  std::vector<double> chord_errors_mm;      ///< for each event: estimate of the part's mesh there; empty: not made
   BaselineFacts baseline;
 };
 

@@ -65,6 +65,17 @@ TEST(FindingsText, StatesTheFeedAndThePoseOfTheToolOnRequest) {
   EXPECT_EQ(findings_text(report.model).find("tip ("), std::string::npos);
 }
 
+TEST(FindingsText, CountsGougesThatMayComeFromTheFacetsOfThePart) {
+  SmallReport report;
+  const auto said = [&](double error_mm) {
+    report.model.chord_errors_mm.assign(report.result.events.size(), error_mm);
+    return summary_text(report.model).find("1 of 1 finding in the part may come from the facets of the STL alone");
+  };
+  EXPECT_EQ(said(0), std::string::npos);
+  EXPECT_EQ(said(0.32), std::string::npos) << "0.333 mm, of which 0.01 mm are tolerated";
+  EXPECT_NE(said(0.324), std::string::npos);
+}
+
 TEST(FindingsText, AViewListsLessAndCountsTheRest) {
   const SmallReport report;
   FindingsView deepest;

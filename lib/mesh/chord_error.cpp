@@ -1,0 +1,70 @@
+#include "lib/mesh/chord_error.h"
+
+#include <algorithm>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+namespace gouge {
+namespace {
+
+constexpr double kSharp_rad = std::numbers::pi / 6;
+
+std::uint64_t edge_key(Corner a, Corner b) {
+  const auto [low, high] = std::minmax(a, b);
+  return (std::uint64_t{low} << 32U) | high;
+}
+
+/// A triangle of interest beside an edge, and the vertex of it that is not on the edge.
+struct Side {
+  std::size_t triangle = 0, target = 0;
+  Corner apex = 0;
+};
+
+double height_mm(const IndexedMesh& mesh, Corner a, Corner b, Corner apex) {
+  const Vec3 along = mesh.vertices[b] - mesh.vertices[a];
+  const double length = along.norm();
+  return length > 0 ? along.cross(mesh.vertices[apex] - mesh.vertices[a]).norm() / length : 0;
+}
+
+double error_at_edge_mm(const IndexedMesh& mesh, const Side& side, std::size_t neighbour, Corner a, Corner b,
+                        Corner neighbour_apex) {
+  const Vec3 n = face_normal(mesh, side.triangle), m = face_normal(mesh, neighbour);
+  const double angle = std::atan2(n.cross(m).norm(), n.dot(m));
+  const bool is_hollow = n.dot(mesh.vertices[neighbour_apex] - mesh.vertices[a]) > 0;
+  if (!is_hollow || !(angle < kSharp_rad)) return 0;
+  const double h = height_mm(mesh, a, b, side.apex), k = height_mm(mesh, a, b, neighbour_apex);
+  const double largest = std::max(h, k);
+  return h + k > 0 ? largest * largest * angle / (4 * (h + k)) : 0;
+}
+
+}  // namespace
+
+std::vector<double> estimate_chord_errors_mm(const IndexedMesh& mesh, std::span<const std::uint32_t> file_triangles) {
+  std::vector<double> errors(file_triangles.size(), 0);
+  std::unordered_multimap<std::uint32_t, std::size_t> targets;
+  for (std::size_t i = 0; i < file_triangles.size(); ++i) targets.emplace(file_triangles[i], i);
+  std::unordered_multimap<std::uint64_t, Side> sides;
+  const auto for_each_edge = [&](std::size_t triangle, const auto& take) {
+    const TriangleCorners& corners = mesh.triangles[triangle];
+    for (std::size_t k = 0; k < 3; ++k) take(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto [first, last] = targets.equal_range(mesh.file_triangle[i]);
+    for (auto target = first; target != last; ++target)
+      for_each_edge(i, [&](Corner a, Corner b, Corner apex) {
+        sides.emplace(edge_key(a, b), Side{i, target->second, apex});
+      });
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size() && !sides.empty(); ++i)
+    for_each_edge(i, [&](Corner a, Corner b, Corner apex) {
+      const auto [first, last] = sides.equal_range(edge_key(a, b));
+      for (auto side = first; side != last; ++side) {
+        double& error = errors[side->second.target];
+        if (side->second.triangle != i) error = std::max(error, error_at_edge_mm(mesh, side->second, i, a, b, apex));
+      }
+    });
+  return errors;
+}
+
+}  // namespace gouge
