@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <ostream>
+#include <span>
+#include <string_view>
 
 #include "cli/config_command.h"
 #include "cli/options/parse_errors.h"
@@ -21,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_word(const std::string& name, std::initializer_list<const char*> words) {
+bool has_word(const std::string& name, std::span<const char* const> words) {
   return std::ranges::any_of(words,
                              [&](const char* word) { return in_small_letters(name).find(word) != std::string::npos; });
 }
@@ -31,10 +34,41 @@ struct Folder {
   std::vector<std::string> parts, fixtures, heads, libraries, unclear;
 };
 
+// Words of names of files, in the languages of CAM users: English, German, French, Italian, Spanish, Portuguese.
+constexpr auto kFixtureWords = std::to_array<const char*>(
+    {"fixture", "vise",     "vice",  "clamp",   "jig",    "spann",      "vorrichtung", "schraubstock",
+     "backe",   "etau",     "bride", "montage", "mors",   "morsa",      "staffa",      "attrezzatura",
+     "mordaza", "utillaje", "brida", "garra",   "grampo", "dispositivo"});
+constexpr auto kStockWords = std::to_array<const char*>({"stock", "blank", "rohteil", "brut", "grezzo"});
+constexpr auto kHeadWords =
+    std::to_array<const char*>({"head", "spindle", "spindel", "broche", "mandrino", "husillo", "cabezal", "fuso"});
+constexpr auto kPartWords = std::to_array<const char*>({"part", "teil", "werkst", "piece", "pezzo", "pieza", "peca"});
+
 bool is_library(const std::string& name) {
   constexpr std::uint64_t kMaxBytes = 10'000'000;
   const Result<std::string> bytes = read_file(name, kMaxBytes);
   return bytes && read_any_tools(name, *bytes, kMaxBytes).has_value();
+}
+
+// Chooses the part where no name states it: the only STL file, or the only one with the name of a toolpath.
+void choose_part(const std::vector<std::string>& names, const std::vector<std::string>& others, Folder& folder) {
+  folder.unclear = others;
+  if (!folder.parts.empty()) return;
+  constexpr auto kNoToolpaths =
+      std::to_array<std::string_view>({".stl", ".json", ".tools", ".fctl", ".png", ".pdf", ".html", ".txt", ".md"});
+  std::vector<std::string> called;
+  for (const std::string& stl : others) {
+    const auto is_toolpath_of_it = [&](const std::string& name) {
+      const std::string ending = in_small_letters(fs::path(name).extension().string());
+      const bool may_be_path = std::ranges::find(kNoToolpaths, ending) == kNoToolpaths.end();
+      return may_be_path && fs::path(name).stem() == fs::path(stl).stem();
+    };
+    if (std::ranges::any_of(names, is_toolpath_of_it)) called.push_back(stl);
+  }
+  if (others.size() == 1) called = others;
+  if (called.size() != 1) return;
+  folder.parts = called;
+  std::erase(folder.unclear, called.front());
 }
 
 Folder look_around() {
@@ -52,19 +86,15 @@ Folder look_around() {
     const bool may_be_library = ending == ".json" || ending == ".tools" || ending == ".fctl";
     if (may_be_library && name != kProjectFileName && is_library(name)) folder.libraries.push_back(name);
     if (ending != ".stl") continue;
-    if (has_word(name, {"fixture", "vise", "vice", "clamp", "jig"})) {
+    if (has_word(name, kFixtureWords)) {
       folder.fixtures.push_back(name);
-    } else if (has_word(name, {"head", "spindle"})) {
+    } else if (has_word(name, kHeadWords)) {
       folder.heads.push_back(name);
     } else {
-      (has_word(name, {"part"}) ? folder.parts : others).push_back(name);
+      (has_word(name, kPartWords) && !has_word(name, kStockWords) ? folder.parts : others).push_back(name);
     }
   }
-  if (folder.parts.empty() && others.size() == 1) {
-    folder.parts = others;
-  } else {
-    folder.unclear = others;
-  }
+  choose_part(names, others, folder);
   return folder;
 }
 
@@ -111,8 +141,8 @@ Result<Json> typed_options(const std::vector<std::string>& words) {
 // Describes that nothing was found and no option is given. An empty file would only hinder the next attempt.
 Diagnostic describe_nothing(const Folder& folder) {
   std::string message =
-      "nothing to write: this folder has no part (the only .stl in it, or one with 'part' in its name), no fixture "
-      "('fixture', 'vise', 'clamp' or 'jig'), no head ('head' or 'spindle') and no single tool library (.json, .tools, "
+      "nothing to write: this folder has no part (the only .stl in it, one with the name of a toolpath, or with 'part' in "
+      "its name), no fixture ('fixture', 'vise', 'clamp' or 'jig'), no head ('head' or 'spindle') and no single tool library (.json, .tools, "
       ".fctl)";
   if (!folder.unclear.empty()) message += ", and of its .stl files it is unclear which is the part";
   return make_error("init-nothing", message + "; give options of check, such as gougecheck init --part PART.stl");

@@ -211,5 +211,21 @@ TEST(Project, InitFindsALibraryOfAnotherProgram) {
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/gougecheck.json")), nlohmann::json({{"tools", "mills.json"}}));
 }
 
+TEST(Project, InitKnowsFilesByTheirNamesInSeveralLanguages) {
+  const auto project_of = [](const std::vector<std::string>& files) {
+    const std::string folder = fresh_folder() + "/names";
+    fs::remove_all(folder);
+    fs::create_directory(folder);
+    for (const std::string& file : files) write_text(folder + "/" + file, "");
+    EXPECT_EQ(run_gougecheck(folder, {"init"}).exit_status, 0);
+    return nlohmann::json::parse(text_of(folder + "/gougecheck.json"));
+  };
+  EXPECT_EQ(project_of({"op10.stl", "op10.cls", "other.stl", "Spannbacke.stl"}),
+            nlohmann::json({{"part", "op10.stl"}, {"fixture", "Spannbacke.stl"}}));
+  EXPECT_EQ(project_of({"Bauteil.stl", "Rohteil.stl"}), nlohmann::json({{"part", "Bauteil.stl"}}));
+  EXPECT_EQ(project_of({"mordaza.stl", "pieza.stl", "cabezal.stl"}),
+            nlohmann::json({{"part", "pieza.stl"}, {"fixture", "mordaza.stl"}, {"head", "cabezal.stl"}}));
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples
