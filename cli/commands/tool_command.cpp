@@ -56,7 +56,9 @@ int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostr
 }
 
 void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
-  command.add_option("--tools", arguments.tools_file, "Tool library: JSON, or a library of Fusion, FreeCAD or NX")
+  command
+      .add_option("--tools", arguments.tools_file,
+                  "Tool library: JSON, or one of Fusion, FreeCAD, NX, CAMotics or LinuxCNC")
       ->type_name("FILE")
       ->required();
   add_input_limit(command, arguments.input);

@@ -37,6 +37,8 @@ std::optional<ImportFormat> format_called(const std::string& name) {
   if (name == "fusion") return ImportFormat::fusion;
   if (name == "freecad") return ImportFormat::freecad;
   if (name == "nx") return ImportFormat::nx;
+  if (name == "camotics") return ImportFormat::camotics;
+  if (name == "linuxcnc") return ImportFormat::linuxcnc;
   return std::nullopt;
 }
 
@@ -66,7 +68,7 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
       ->type_name("FILE")
       ->required();
   command.add_option("--format", arguments.format, "Format of the file (auto: recognized by its content)")
-      ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx"}));
+      ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx", "camotics", "linuxcnc"}));
   command.add_option("--holder", arguments.holder, "Holder for tools without one: its name in the library of --tools")
       ->type_name("NAME");
   command.add_option("--tools", arguments.tools_file, "Tool library with the holder of --holder")->type_name("FILE");

@@ -22,6 +22,7 @@ std::optional<ImportFormat> format_of(const nlohmann::json& root) {
   if (detail::is_freecad_bit(root)) return ImportFormat::freecad;
   // Our own library also has "tools", but it always has "units" too.
   if (detail::is_freecad_library(root) && !root.contains("units")) return ImportFormat::freecad;
+  if (detail::is_camotics_table(root)) return ImportFormat::camotics;
   return std::nullopt;
 }
 
@@ -31,6 +32,7 @@ JsonKind any_library() { return detail::imported_kind("a tool library of Fusion 
 
 std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   if (is_zip(bytes)) return ImportFormat::fusion;
+  if (!detail::is_json(bytes) && is_linuxcnc_table(bytes)) return ImportFormat::linuxcnc;
   if (!detail::is_json(bytes)) return has_class_line(bytes) ? std::optional(ImportFormat::nx) : std::nullopt;
   const Result<JsonFile> json = parse_json({}, bytes, any_library());
   return json ? format_of(json->root) : std::nullopt;
@@ -44,15 +46,20 @@ Result<ImportedTools> import_tools(const std::string& file, std::string_view byt
     if (!json) return json.error();
   }
   if (!format)
-    return make_error("import-format",
-                      "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor an NX "
-                      "tool_database.dat or holder_database.dat; say which with --format",
-                      file);
+    return make_error(
+        "import-format",
+        "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor an NX "
+        "tool_database.dat or holder_database.dat, nor a tool table of CAMotics or LinuxCNC; say which with --format",
+        file);
   switch (*format) {
     case ImportFormat::fusion:
       return import_fusion(file, bytes, options);
     case ImportFormat::freecad:
       return import_freecad(file, bytes, options);
+    case ImportFormat::camotics:
+      return import_camotics(file, bytes, options);
+    case ImportFormat::linuxcnc:
+      return import_linuxcnc(file, bytes, options);
     case ImportFormat::nx:
       break;
   }

@@ -16,7 +16,7 @@
 
 namespace gouge {
 
-enum class ImportFormat { fusion, freecad, nx };
+enum class ImportFormat { fusion, freecad, nx, camotics, linuxcnc };
 
 struct ImportOptions {
   std::vector<ToolSegment> holder;    ///< holder of tools that have none; empty: they stay without a holder
@@ -51,6 +51,19 @@ struct ImportedTools {
 /// Errors   Those of import_fusion, and import-unit.
 [[nodiscard]] Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
                                               const ImportOptions& options);
+
+/// Imports a tool table of CAMotics, or the tools of a CAMotics project. Errors: those of import_fusion.
+[[nodiscard]] Result<ImportedTools> import_camotics(const std::string& file, std::string_view bytes,
+                                                    const ImportOptions& options);
+
+/// Imports a tool table of LinuxCNC (.tbl). It states a diameter and a length for each tool, in the unit of the machine: that of
+/// the options, else mm. Each tool becomes a cylinder, with an uncertainty that keeps a verdict from being clean. Errors of one
+/// tool are in `notes`: import-field.
+[[nodiscard]] Result<ImportedTools> import_linuxcnc(const std::string& file, std::string_view bytes,
+                                                    const ImportOptions& options);
+
+/// Returns whether each line of a text is one of a tool table of LinuxCNC.
+[[nodiscard]] bool is_linuxcnc_table(std::string_view text);
 
 /// Returns the format of a file, recognised by its content, not by its name.
 [[nodiscard]] std::optional<ImportFormat> recognise_format(std::string_view bytes);

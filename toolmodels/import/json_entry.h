@@ -40,6 +40,10 @@ namespace gouge::detail {
 /// Returns whether a JSON file is a FreeCAD library: a list "tools" that is empty or has an entry with a "path".
 [[nodiscard]] bool is_freecad_library(const nlohmann::json& root);
 
+/// Returns whether a JSON file is a tool table of CAMotics, or a project with one: all its tools have "shape", "diameter"
+/// and "units".
+[[nodiscard]] bool is_camotics_table(const nlohmann::json& root);
+
 /// Returns whether a JSON file is a Fusion library: a list "data" that is empty or has an entry with a "geometry" or
 /// "segments".
 [[nodiscard]] bool is_fusion_library(const nlohmann::json& root);

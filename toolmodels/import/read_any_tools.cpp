@@ -16,8 +16,8 @@ namespace gouge {
 namespace {
 
 constexpr const char* kExpected =
-    "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb) or NX "
-    "(tool_database.dat)";
+    "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb), NX "
+    "(tool_database.dat), CAMotics (.json) or LinuxCNC (.tbl)";
 
 // Returns a message that names the format of a file that is neither JSON nor importable, with advice.
 std::string describe_foreign(const std::string& file, std::string_view bytes) {

@@ -278,7 +278,7 @@ TEST(ImportTools, JsonOfOtherProgramsIsNoLibraryOfAnyOfThese) {
     EXPECT_EQ(
         to_text(made.error()),
         "t.json: error: this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor "
-        "an NX tool_database.dat or holder_database.dat; say which with --format [import-format]");
+        "an NX tool_database.dat or holder_database.dat, nor a tool table of CAMotics or LinuxCNC; say which with --format [import-format]");
   }
   EXPECT_EQ(recognise_format(R"({"tools":[{"nr":1,"path":"a.fctb"}]})"), ImportFormat::freecad);
   EXPECT_EQ(recognise_format(R"({"data":[{"type":"holder","segments":[]}]})"), ImportFormat::fusion);

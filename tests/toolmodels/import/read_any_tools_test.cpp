@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tests/toolmodels/import/import_helpers.h"
+#include "toolmodels/tool_library.h"
 
 namespace gouge {
 namespace {
@@ -111,10 +113,42 @@ TEST(ReadAnyTools, OurOwnLibraryIsReadAsEver) {
   EXPECT_EQ(read_any_tools("t.json", R"({"units":"mm","tools":[)", kMaxBytes).error().code, "library-syntax");
 }
 
+TEST(ReadAnyTools, ATableOfCamoticsIsRead) {
+  const std::string table =
+      R"({"1":{"number":1,"units":"metric","shape":"cylindrical","length":20,"diameter":3,"description":"EM 3"},
+          "2":{"units":"imperial","shape":"ballnose","length":1,"diameter":0.25},
+          "4":{"units":"metric","shape":"conical","length":10,"diameter":20},
+          "5":{"units":"metric","shape":"spheroid","length":10,"diameter":5}})";
+  for (const std::string& bytes : {table, R"({"units":"metric","tools":)" + table + "}"}) {
+    const Result<ReadTools> read = read_any_tools("t.json", bytes, kMaxBytes);
+    ASSERT_TRUE(read.has_value()) << to_text(read.error());
+    ASSERT_EQ(read->library.tools.size(), 3u);
+    EXPECT_EQ(read->library.tools[0].name, "EM 3");
+    EXPECT_EQ(read->library.tools[1].number, 2);
+    const std::string text = write_tool_library(read->library);
+    for (const char* part : {"\"ball\"", "6.35", "\"chamfer\""}) EXPECT_NE(text.find(part), std::string::npos) << text;
+    const auto is_left_out = [](const Diagnostic& note) {
+      return note.message.find("shape spheroid") != std::string::npos;
+    };
+    EXPECT_TRUE(std::ranges::any_of(read->library.notes, is_left_out));
+  }
+}
+
+TEST(ReadAnyTools, ATableOfLinuxcncIsReadWithAnUncertainty) {
+  const Result<ReadTools> read = read_any_tools(
+      "tool.tbl", "; shop\nT1 P1 D6.0 Z+52.3 ;6 mm end mill\n\nT2 P2 Z10\nT99 P3 X1 D8 Z+40 Q0\n", kMaxBytes);
+  ASSERT_TRUE(read.has_value()) << to_text(read.error());
+  ASSERT_EQ(read->library.tools.size(), 2u) << "T2 has no diameter";
+  EXPECT_EQ(read->library.tools[0].name, "6 mm end mill");
+  EXPECT_EQ(read->library.tools[1].number, 99);
+  EXPECT_NE(read->library.tools[0].uncertainty.find("states D and Z alone"), std::string::npos);
+  EXPECT_FALSE(read_any_tools("a.nc", "T1 M6\nG0 X1\n", kMaxBytes).has_value()) << "a program is no table";
+}
+
 TEST(ReadAnyTools, AnyOtherFileIsRefusedWithWhatWasExpected) {
   const std::string expected =
-      "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb) or NX "
-      "(tool_database.dat)";
+      "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb), NX "
+      "(tool_database.dat), CAMotics (.json) or LinuxCNC (.tbl)";
   const auto error = [](const std::string& bytes) { return to_text(read_any_tools("t", bytes, kMaxBytes).error()); };
   EXPECT_EQ(error(""), "t: error: the file is empty; " + expected + " [library-foreign]");
   EXPECT_EQ(error("<?xml version='1.0'?><tools/>"),
