@@ -5,6 +5,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/batch/batch_text.h"
 #include "postproc/report/html_table.h"
+#include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {

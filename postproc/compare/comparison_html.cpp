@@ -1,6 +1,7 @@
 #include "postproc/compare/write_comparison.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_model.h"
+#include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -28,8 +29,8 @@ class ComparisonPage {
     std::string out =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
-        title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
-        "<p class=\"soft\">" +
+        title + "</title>\n<style>" + std::string(kHtmlStyle) + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
+        "</h1>\n" + "<p class=\"soft\">" +
         xml_escaped(c_.before->record.toolpath.file + " (" + c_.before->record.verdict + "), then " +
                     c_.after->record.toolpath.file + " (" + c_.after->record.verdict + ")") +
         "</p>\n" + banner();

@@ -1,12 +1,20 @@
 #include "postproc/report/html_table.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "postproc/report/report_text.h"
 
 namespace gouge {
 
+namespace {
+
+constexpr std::size_t kMaxUnbroken = 40;  // bytes of a text that keeps on one line
+
+}  // namespace
+
 std::string html_cell(const std::string& text, const char* css) {
+  if (std::string_view(css) == "k" && text.size() > kMaxUnbroken) css = "";
   return std::string("<td") + (*css != '\0' ? std::string(" class=\"") + css + "\"" : std::string()) + ">" +
          xml_escaped(text) + "</td>";
 }

@@ -6,6 +6,7 @@
 
 namespace gouge {
 
+extern const std::string_view kHtmlStyle;       ///< report.css: the style of all pages, for screens and paper
 extern const std::string_view kFindingsScript;  ///< findings.js
 
 }  // namespace gouge

@@ -13,6 +13,7 @@
 #include "postproc/report/excess_text.h"
 #include "postproc/report/findings_html.h"
 #include "postproc/report/html_table.h"
+#include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
@@ -48,11 +49,11 @@ class HtmlReport {
                                           model_.toolpath->file);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
-           title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
-           against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() + changes() +
-           axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + laws() + stickouts() +
-           material_left() + open_queries() + close_ups() + assumptions_html(*model_.result) + inputs() + tools() +
-           options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
+           title + "</title>\n<style>" + std::string(kHtmlStyle) + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
+           "</h1>\n" + against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() +
+           changes() + axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + laws() +
+           stickouts() + material_left() + open_queries() + close_ups() + assumptions_html(*model_.result) + inputs() +
+           tools() + options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
            "</footer>\n</main>\n</body>\n</html>\n";
   }
 
@@ -157,7 +158,7 @@ class HtmlReport {
     for (const NamedFile& file : pictures_) {
       if (file.name.starts_with("event_")) out += figure(file);
     }
-    return out.empty() ? out : "<h2>The worst findings close up</h2>\n" + out;
+    return out.empty() ? out : "<h2>The worst findings close up</h2>\n<div class=\"figures\">\n" + out + "</div>\n";
   }
 
   [[nodiscard]] std::string material_left() const {
