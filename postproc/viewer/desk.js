@@ -2,11 +2,14 @@
 const kStates = ['clean', 'near', 'gouge', 'buried', 'not checked', 'not certified'];
 const kKinds = ['feed', 'rapid', 'arc', 'cycle'];
 const kStateColours = ['#1860ba', '#b8860b', '#b2182b', '#7a0c58', '#ce7608', '#ce7608', '#9aa4af'];
-const kViews = { top: [0, 0, 1], bottom: [0, 0, -1], front: [0, -1, 0], back: [0, 1, 0], right: [1, 0, 0], left: [-1, 0, 0],
-                 iso: [1, -1, 0.9] };
+const kColoursInDark = ['#5b9fe8', '#d9ad3c', '#f0606f', '#d45fb0', '#f0a23c', '#f0a23c', '#8d98a4'];
+const kViews = { first: kIso, top: [0, 0, 1], bottom: [0, 0, -1], front: [0, -1, 0], back: [0, 1, 0], right: [1, 0, 0],
+                 left: [-1, 0, 0] };
 const kMostSeenThrough = 200000;  // triangles of a closed mesh that are drawn on both sides
 const kMostSmooth = 300000;  // triangles that a software renderer draws with smooth edges
 const rgbOf = hex => [1, 3, 5].map(k => parseInt(hex.slice(k, k + 2), 16) / 255);
+
+const directionsOf = ({ toward, right, up }) => ({ toward, right, up });
 
 class Desk {
   constructor(canvas, over, scene) {
@@ -27,11 +30,12 @@ class Desk {
     this.tools = json.tools.map(tool => tool.runs.length > 0 ? this.renderer.tool(toolMesh(tool.runs)) : null);
     this.paths = json.paths.map(one => this.preparePath(pathOf(planes, one)));
     this.shows = { part: true, fixtures: true, path: true, tool: true, stock: Boolean(json.stock?.shown) };
-    this.camera = new Camera(json.view);
+    this.camera = new Camera(kIso);
     this.measured = [];
     this.turn = 0;
     this.isAsked = true;  // nothing is drawn before begin()
     this.choosePath(0);
+    this.over.onChange = () => this.redraw();
   }
 
   // Corners of the parts, else of all; the middle of it is where coordinates begin for the graphics card.
@@ -126,14 +130,32 @@ class Desk {
     return { normal, at: tip, offset: dot(normal, tip) };
   }
 
-  setSection(isOn) {
-    this.isCut = isOn;
+  // The cut runs through the point of the finding where the tool is there, else across the present view.
+  aimSection() {
     const f = this.finding, { axis } = this.pose();
     this.cutToward = this.camera.toward;
-    if (isOn && f && f.point && f.at === this.at) {
-      const square = cross(axis, sub(sub(f.point, this.middle), this.pose().tip));
-      if (length(square) > 1e-6) this.cutToward = square;
-    }
+    if (!f || !f.point || f.at !== this.at) return;
+    const square = cross(axis, sub(sub(f.point, this.middle), this.pose().tip));
+    if (length(square) > 1e-6) this.cutToward = square;
+  }
+
+  // Cuts, and turns to face the cut; without a cut the view is again as before.
+  setSection(isOn) {
+    if (isOn && !this.isCut) this.uncut = this.camera.state();
+    this.isCut = isOn;
+    if (isOn) this.aimSection();
+    else if (this.uncut) this.fly(camera => { Object.assign(camera, { ...camera.state(), ...directionsOf(this.uncut) }); });
+    if (isOn) this.faceSection();
+  }
+
+  faceSection() {
+    this.fly(camera => { camera.look(this.plane().normal); });
+  }
+
+  // Turns the cut about the tool axis; the view follows.
+  turnSection(angle) {
+    this.turn = angle;
+    this.camera.look(this.plane().normal);
     this.redraw();
   }
 
@@ -173,7 +195,7 @@ class Desk {
       path: this.shows.path ? this.path.drawn : null, tool: this.shows.tool ? tool : null,
       heads: this.shows.tool ? this.heads : null, pose: this.pose(), stock: this.shows.stock ? this.stock : null,
       colours: { bodies: json.bodies.map(c => times(c, 1 / 255)), stock: times(json.stock?.colour ?? [0, 0, 0], 1 / 255),
-                 path: [...kStateColours.map((hex, k) => [...rgbOf(hex), k === 2 || k === 3 ? 1.25 : k === 6 ? 0.5 : 0.85]), [0, 0, 0, 0]] },
+                 path: [...(this.over.isDark ? kColoursInDark : kStateColours).map((hex, k) => [...rgbOf(hex), k === 2 || k === 3 ? 1.25 : k === 6 ? 0.5 : 0.85]), [0, 0, 0, 0]] },
     });
     const over = this.over;
     over.begin(camera, this.ratio);
@@ -225,28 +247,32 @@ class Desk {
 
   view(name) {
     this.fly(camera => {
-      if (name !== 'fit') camera.look(name === 'first' ? this.json.view : kViews[name]);
+      if (name !== 'fit') camera.look(kViews[name]);
       camera.fit(this.box);
     });
   }
 
-  // Shows a finding from outside of the surface, a little from above the tool, as large as the tool allows.
+  // Length of the diagonal of the parts, and the largest diameter of a tool.
+  size() { return length(sub(this.box[1], this.box[0])); }
+  widthOfTool(tool) {
+    const points = (this.json.tools[tool]?.runs ?? []).flatMap(run => run.points.filter((_, k) => k % 2 === 0));
+    return 2 * points.reduce((most, r) => Math.max(most, r), 0);
+  }
+
+  // Shows a finding at an angle, or its cut, with the tool and its surroundings around it.
   showFinding(finding) {
     this.finding = finding;
     if (this.chosen !== 0) this.choosePath(0);
     finding.at = this.placeOf(finding.move, finding.t);
     this.at = finding.at;
     const point = sub(finding.point ?? finding.tip, this.middle), axis = unit(finding.axis);
+    if (this.isCut) this.aimSection();
     this.fly(camera => {
-      const out = finding.normal ?? axis, side = sub(out, times(axis, dot(out, axis)));
-      const now = sub(camera.toward, times(axis, dot(camera.toward, axis)));
-      const from = length(side) > 0.2 ? unit(side) : length(now) > 0.05 ? unit(now) : squareTo(axis);
-      if (Math.abs(dot(camera.toward, axis)) > 0.95 || (finding.normal && dot(camera.toward, finding.normal) < 0.1))
-        camera.look(add(times(from, 0.9), times(axis, 0.45)));
+      camera.look(this.isCut ? this.plane().normal : directionTo(this, point, axis, finding.normal, camera.toward));
       camera.centre = camera.pivot = point;
-      const size = length(sub(this.box[1], this.box[0]));
-      camera.scale = Math.min(camera.scale, Math.max(size * 0.28, 40 * (finding.depth || 0), 1e-3) / Math.min(camera.width, camera.height));
+      const width = this.widthOfTool(finding.tool) || Infinity;
+      const seen = Math.max(Math.min(this.size() * 0.35, 3 * width), 40 * (finding.depth || 0), 1e-3);
+      camera.scale = seen / Math.min(camera.width, camera.height);
     });
-    if (this.isCut) this.setSection(true);
   }
 }

@@ -76,6 +76,15 @@ const startDesk = async () => {
     if (desk.at >= desk.path.count - 1) go(0);
     requestAnimationFrame(step);
   };
+  const fill = isOn => {
+    section.classList.toggle('full', isOn);
+    document.body.classList.toggle('is-filled', isOn);
+    button('fill').setAttribute('aria-pressed', isOn);
+    button('fill').textContent = isOn ? 'Leave full screen' : 'Full screen';
+    if (isOn) section.requestFullscreen?.().catch(() => {});  // without it the view fills the window
+    else if (document.fullscreenElement) document.exitFullscreen();
+  };
+  document.addEventListener('fullscreenchange', () => { if (!document.fullscreenElement) fill(false); });
   const section_ = isOn => {
     button('section').setAttribute('aria-pressed', isOn);
     cut.hidden = !isOn;
@@ -125,12 +134,14 @@ const startDesk = async () => {
   });
   listenToKeys({
     j: () => step(1), k: () => step(-1), ' ': () => play(!isPlaying), f: () => desk.view('fit'), s: () => section_(!desk.isCut),
-    m: () => measure(!isMeasuring), Escape: () => { play(false); measure(false); }, 0: () => desk.view('first'),
+    m: () => measure(!isMeasuring), F: () => fill(!section.classList.contains('full')),
+    Escape: () => { play(false); measure(false); fill(false); }, 0: () => desk.view('first'),
     1: () => desk.view('front'), 2: () => desk.view('back'), 3: () => desk.view('right'), 4: () => desk.view('left'),
-    5: () => desk.view('iso'), 7: () => desk.view('top'), 8: () => desk.view('bottom'),
+    5: () => desk.view('first'), 7: () => desk.view('top'), 8: () => desk.view('bottom'),
   });
   const actions = { previous: () => step(-1), next: () => step(1), play: () => play(!isPlaying),
-                    section: () => section_(!desk.isCut), measure: () => measure(!isMeasuring) };
+                    section: () => section_(!desk.isCut), measure: () => measure(!isMeasuring),
+                    fill: () => fill(!section.classList.contains('full')) };
   section.addEventListener('click', event => {
     const one = event.target.closest('button');
     if (!one) return;
@@ -145,7 +156,7 @@ const startDesk = async () => {
   });
   along.addEventListener('input', () => { play(false); go(Number(along.value)); });
   instant.addEventListener('input', () => { play(false); go(desk.placeOf(desk.instant().move, Number(instant.value))); });
-  cut.addEventListener('input', () => { desk.turn = Number(cut.value) * Math.PI / 180; desk.redraw(); });
+  cut.addEventListener('input', () => desk.turnSection(Number(cut.value) * Math.PI / 180));
   document.addEventListener('finding', event => {
     section.scrollIntoView({ block: 'nearest' });
     showFinding(event.detail);

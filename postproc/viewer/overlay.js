@@ -3,6 +3,15 @@ class Overlay {
   constructor(canvas) {
     this.canvas = canvas;
     this.pen = canvas.getContext('2d');
+    const scheme = matchMedia('(prefers-color-scheme: dark)');
+    const dress = () => {
+      this.isDark = scheme.matches;
+      [this.ink, this.soft, this.halo, this.blue] = this.isDark ? ['#dfe4ea', '#a9b3be', 'rgba(24,29,35,.88)', '#7db6ea']
+        : ['#20262e', '#404852', 'rgba(255,255,255,.88)', '#1f5f99'];
+      this.onChange?.();
+    };
+    dress();
+    scheme.addEventListener('change', dress);
   }
 
   begin(camera, ratio) {
@@ -15,11 +24,11 @@ class Overlay {
 
   font(size, weight = '') { this.pen.font = `${weight} ${size}px "Segoe UI", Helvetica, Arial, "DejaVu Sans", sans-serif`; }
 
-  text(words, x, y, { align = 'left', colour = '#20262e', halo = true } = {}) {
+  text(words, x, y, { align = 'left', colour = this.ink, halo = true } = {}) {
     const pen = this.pen;
     pen.textAlign = align;
     if (halo) {
-      pen.strokeStyle = 'rgba(255,255,255,.88)';
+      pen.strokeStyle = this.halo;
       pen.lineWidth = 3.5;
       pen.lineJoin = 'round';
       pen.strokeText(words, x, y);
@@ -47,7 +56,8 @@ class Overlay {
 
   triad() {
     const at = [48, this.camera.height - 48];
-    const axes = [['X', '#b2182b', [1, 0, 0]], ['Y', '#227854', [0, 1, 0]], ['Z', '#1f5f99', [0, 0, 1]]].map(
+    const axes = [['X', this.isDark ? '#f2808d' : '#b2182b', [1, 0, 0]], ['Y', this.isDark ? '#5fbf93' : '#227854', [0, 1, 0]],
+                  ['Z', this.blue, [0, 0, 1]]].map(
       ([name, colour, d]) => ({ name, colour, x: dot(d, this.camera.right), y: -dot(d, this.camera.up), z: dot(d, this.camera.toward) }));
     for (const { name, colour, x, y } of axes.sort((a, b) => a.z - b.z)) {
       this.line([at, [at[0] + 27 * x, at[1] + 27 * y]], colour, 2.4);
@@ -61,7 +71,7 @@ class Overlay {
     const wanted = 130 * this.camera.scale / unit.mm, power = 10 ** Math.floor(Math.log10(wanted));
     const size = power * [5, 2, 1].find(m => m * power <= wanted), pixels = size * unit.mm / this.camera.scale;
     const x = 100, y = this.camera.height - 26;
-    this.line([[x, y - 5], [x, y], [x + pixels, y], [x + pixels, y - 5]], '#20262e', 1.4);
+    this.line([[x, y - 5], [x, y], [x + pixels, y], [x + pixels, y - 5]], this.ink, 1.4);
     this.font(12);
     this.text(`${Number(size.toPrecision(3))} ${unit.name}`, x + pixels / 2, y - 6, { align: 'center' });
   }
@@ -79,8 +89,8 @@ class Overlay {
     this.font(11.5);
     for (const [place, words] of scale.ticks) {
       const at = y + height * (1 - place);
-      this.line([[x + width, at], [x + width + 4, at]], '#68707a', 1);
-      this.text(words, x + width + 8, at + 4, { colour: '#404852' });
+      this.line([[x + width, at], [x + width + 4, at]], this.soft, 1);
+      this.text(words, x + width + 8, at + 4, { colour: this.soft });
     }
   }
 
@@ -108,6 +118,6 @@ class Overlay {
     for (const one of at) this.disc(one, 4, '#1f5f99', '#fff');
     if (at.length < 2) return;
     this.font(13, '600');
-    this.text(words, (at[0][0] + at[1][0]) / 2 + 8, (at[0][1] + at[1][1]) / 2 - 8, { colour: '#14456f' });
+    this.text(words, (at[0][0] + at[1][0]) / 2 + 8, (at[0][1] + at[1][1]) / 2 - 8, { colour: this.isDark ? '#a9d2f7' : '#14456f' });
   }
 }

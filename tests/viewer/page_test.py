@@ -4,7 +4,6 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 
 from browser import Browser, find_chromium, read_png
 
@@ -204,7 +203,7 @@ def check_phone(browser, report, found):
 def check_without_script(browser, report, found):
     browser.call("Emulation.setScriptExecutionDisabled", value=True)
     browser.call("Page.navigate", url="file://" + os.path.abspath(os.path.join(report, "report.html")))
-    time.sleep(2)
+    browser.wait("!!document.querySelector('footer')")
     shown = "getComputedStyle(document.querySelector('{}')).display"
     found.check(browser.evaluate(shown.format("#heat_map")) != "none" and browser.evaluate(shown.format("#desk-view")) == "none",
                 "without scripts the pictures stand")
