@@ -9,6 +9,7 @@
 #include "lib/base/printable_text.h"
 #include "postproc/export/make_export.h"
 #include "postproc/image/report_pictures.h"
+#include "postproc/image/tool_drawing.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/write_report.h"
@@ -29,6 +30,15 @@ CheckedToolpath pictures_of(const Job& job, const PreparedScene& scene, const To
   input.options = job.options.check;
   input.heads = job.heads();
   return input;
+}
+
+std::vector<std::string> drawings_of(const CheckedToolpath& input) {
+  std::vector<std::string> drawings;
+  for (std::size_t i = 0; i < input.tools.size(); ++i) {
+    const auto& tool = input.tools[i];
+    drawings.push_back(tool == nullptr ? std::string() : tool_drawing(tool->bare, tool_label(*input.toolpath, i)));
+  }
+  return drawings;
 }
 
 Diagnostics missing_letters(const ReportModel& model) {
@@ -115,7 +125,7 @@ Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, con
   const Result<std::string> view = write_viewer(shown, progress.call());
   if (!view) return view.error();
   progress.begin("writing the report");
-  files.push_back({"report.html", write_html(model, files, *view), ""});
+  files.push_back({"report.html", write_html(model, files, {*view, drawings_of(input)}), ""});
   files.push_back({"result.json", write_json(model), ""});
   files.push_back({"moves.csv", write_csv(model), ""});
   return report_->stage(files);

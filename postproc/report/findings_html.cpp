@@ -19,17 +19,6 @@ bool is_finding(const Event& event) {
   return event.state != MoveState::not_checked && event.state != MoveState::not_certified;
 }
 
-// Returns the largest overcut of the moves of a finding, as in the key of the heat map.
-double overcut_of(const ReportModel& model, const Event& event) {
-  double largest = 0;
-  if (event.state != MoveState::gouge) return largest;
-  for (std::size_t i = event.first_move; i <= event.last_move; ++i) {
-    const MoveVerdict& verdict = model.result->verdicts[i];
-    if (verdict.state == MoveState::gouge) largest = std::max(largest, verdict.overcut_mm.value_or(0));
-  }
-  return largest;
-}
-
 class FindingsTable {
  public:
   FindingsTable(const ReportModel& model, const std::vector<NamedFile>& pictures)
@@ -136,74 +125,20 @@ class FindingsTable {
   std::vector<std::size_t> numbers_;
 };
 
-/// Counts for an operation or a tool.
-struct Share {
-  std::size_t moves = 0, findings = 0, cured = 0;
-  double depth_mm = 0, overcut_mm = 0;
-};
-
-/// Counts for each operation or tool; `of(move)` is its index. Moves without one are counted last.
-template <class Of>
-std::vector<Share> shares_of(const ReportModel& model, std::size_t count, Of&& of) {
-  std::vector<Share> shares(count + 1);
-  const auto at = [&](std::size_t move) -> Share& { return shares[std::min(of(model.toolpath->moves[move]), count)]; };
-  for (std::size_t i = 0; i < model.toolpath->moves.size(); ++i) ++at(i).moves;
-  for (std::size_t i = 0; i < model.result->events.size(); ++i) {
-    const Event& event = model.result->events[i];
-    if (event.state != MoveState::gouge && event.state != MoveState::buried) continue;
-    Share& share = at(event.worst_move);
-    ++share.findings;
-    const FindingCures* const cures = model.cure_options ? cures_of(model, i) : nullptr;
-    if (cures != nullptr && (cures->tilt.tilt_rad || cures->lift.lift_mm)) ++share.cured;
-    if (event.state == MoveState::gouge)
-      share.depth_mm = std::max(share.depth_mm, model.result->verdicts[event.worst_move].depth_mm);
-    share.overcut_mm = std::max(share.overcut_mm, overcut_of(model, event));
-  }
-  return shares;
-}
-
-template <class Name>
-std::string share_table(const ReportModel& model, const char* what, const std::vector<Share>& shares, Name&& name) {
-  const LengthUnit unit = model.toolpath->unit;
-  std::vector<HtmlColumn> columns = {{what}, {"Moves", "n"}, {"Findings", "n"}, {"Deepest", "n"}, {"Overcut", "n"}};
-  if (model.cure_options) columns.push_back({"Findings with a cure", "n"});
-  HtmlTable table(columns);
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const Share& s = shares[i];
-    if (s.moves == 0) continue;
-    const auto length = [&](double mm) { return html_cell(mm > 0 ? depth_text(mm, unit, model.options) : "", "n"); };
-    const std::string cells = html_cell(i + 1 < shares.size() ? name(i) : "none") +
-                              html_cell(std::to_string(s.moves), "n") + html_cell(std::to_string(s.findings), "n") +
-                              length(s.depth_mm) + length(s.overcut_mm) +
-                              (model.cure_options ? html_cell(std::to_string(s.cured), "n") : std::string());
-    table.has_room() ? table.add(cells) : table.skip();
-  }
-  return table.html();
-}
-
 }  // namespace
+
+double overcut_of(const ReportModel& model, const Event& event) {
+  double largest = 0;
+  if (event.state != MoveState::gouge) return largest;
+  for (std::size_t i = event.first_move; i <= event.last_move; ++i) {
+    const MoveVerdict& verdict = model.result->verdicts[i];
+    if (verdict.state == MoveState::gouge) largest = std::max(largest, verdict.overcut_mm.value_or(0));
+  }
+  return largest;
+}
 
 std::string findings_html(const ReportModel& model, const std::vector<NamedFile>& pictures) {
   return FindingsTable(model, pictures).html();
-}
-
-std::string summaries_html(const ReportModel& model) {
-  if (std::ranges::none_of(model.result->events, is_finding)) return {};
-  const Toolpath& path = *model.toolpath;
-  const std::vector<Share> operations =
-      shares_of(model, path.operations.size(), [](const Move& move) -> std::size_t { return move.operation; });
-  const std::vector<Share> tools =
-      shares_of(model, path.tools.size(), [](const Move& move) -> std::size_t { return move.tool; });
-  return "<h2>By operation and tool</h2>\n" +
-         share_table(model, "Operation", operations,
-                     [&](std::size_t i) {
-                       const std::string name = operation_name(path, i);
-                       return name.empty() ? "operation " + std::to_string(i + 1) : name;
-                     }) +
-         share_table(model, "Tool", tools, [&](std::size_t i) {
-           const std::string words = i < model.tools.size() ? model.tools[i].description : std::string();
-           return tool_label(path, i) + (words.empty() ? "" : ", " + words);
-         });
 }
 
 }  // namespace gouge

@@ -13,7 +13,7 @@ namespace gouge {
 /// there are no findings.
 [[nodiscard]] std::string findings_html(const ReportModel& model, const std::vector<NamedFile>& pictures);
 
-/// Returns moves, findings, depth and overcut for each operation and each tool, as HTML. Empty without findings.
-[[nodiscard]] std::string summaries_html(const ReportModel& model);
+/// Returns the largest overcut of the moves of a finding in mm, as in the key of the heat map; 0 if none is measured.
+[[nodiscard]] double overcut_of(const ReportModel& model, const Event& event);
 
 }  // namespace gouge

@@ -13,6 +13,7 @@
 #include "postproc/report/excess_text.h"
 #include "postproc/report/findings_html.h"
 #include "postproc/report/html_table.h"
+#include "postproc/report/operations_html.h"
 #include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
@@ -41,8 +42,12 @@ std::vector<const Record*> largest_first(const std::vector<Record>& records, dou
 
 class HtmlReport {
  public:
-  HtmlReport(const ReportModel& model, const std::vector<NamedFile>& pictures, const std::string& view)
-      : model_(model), pictures_(pictures), view_(view), unit_(model.toolpath->unit) {}
+  HtmlReport(const ReportModel& model, const std::vector<NamedFile>& pictures, const HtmlParts& more)
+      : model_(model),
+        pictures_(pictures),
+        more_(more),
+        unit_(model.toolpath->unit),
+        times_(measure_cycle_times(*model.toolpath)) {}
 
   [[nodiscard]] std::string build() const {
     const std::string title = xml_escaped(std::string(model_.has_correction ? "Gouge correction: " : "Gouge check: ") +
@@ -51,10 +56,10 @@ class HtmlReport {
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>" + std::string(kHtmlStyle) + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
            "</h1>\n" + against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() +
-           changes() + axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + laws() +
-           stickouts() + material_left() + open_queries() + close_ups() + assumptions_html(*model_.result) + inputs() +
-           tools() + options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
-           "</footer>\n</main>\n</body>\n</html>\n";
+           changes() + axis_section(model_) + operations_html(model_, times_) + findings_html(model_, pictures_) +
+           laws() + stickouts() + material_left() + open_queries() + close_ups() +
+           tools_html(model_, more_.tool_drawings) + assumptions_html(*model_.result) + inputs() + options() + notes() +
+           "<footer>" + kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
   }
 
  private:
@@ -137,6 +142,8 @@ class HtmlReport {
     if (n.not_checked > 0) add(std::to_string(n.not_checked), "not checked", n.not_checked > n.skipped ? "open" : "");
     if (n.not_certified > 0) add(std::to_string(n.not_certified), "not certified", "open");
     if (n.gouge > 0) add(depth_text(model_.result->worst_depth_mm, unit_, model_.options), "deepest gouge", "bad");
+    if (const std::string time = cycle_time_text(whole_time(times_)); !time.empty())
+      add(time, "cycle time at the feeds", "");
     return out + "</div>\n";
   }
 
@@ -146,7 +153,7 @@ class HtmlReport {
   }
 
   [[nodiscard]] std::string overview() const {
-    std::string out = view_;
+    std::string out = more_.view;
     for (const char* name : {"before_after.png", "tilt_field.png", "heat_map.png", "depth_along_path.png"}) {
       if (const NamedFile* file = picture(name)) out += figure(*file);
     }
@@ -326,18 +333,6 @@ class HtmlReport {
     return "<p>" + xml_escaped(text) + "</p>\n";
   }
 
-  [[nodiscard]] std::string tools() const {
-    if (model_.tools.empty()) return {};
-    HtmlTable table({{"Tool"}, {"Name"}, {"Shape"}, {"Defined in"}});
-    for (std::size_t i = 0; i < model_.tools.size(); ++i) {
-      const ToolFacts& tool = model_.tools[i];
-      const std::string label = tool_label(*model_.toolpath, i);
-      table.add(html_cell(label, "k") + html_cell(tool.name == label ? "" : tool.name) + html_cell(tool.description) +
-                html_cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in));
-    }
-    return "<h2>Tools</h2>\n" + table.html();
-  }
-
   [[nodiscard]] std::string laws() const {
     if (model_.laws.empty()) return {};
     HtmlTable table({{"Law"}, {"Gouges"}});
@@ -388,14 +383,15 @@ class HtmlReport {
 
   const ReportModel& model_;
   const std::vector<NamedFile>& pictures_;
-  const std::string& view_;
+  const HtmlParts& more_;
   LengthUnit unit_;
+  std::vector<CycleTime> times_;
 };
 
 }  // namespace
 
-std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures, const std::string& view) {
-  return HtmlReport(model, pictures, view).build();
+std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures, const HtmlParts& more) {
+  return HtmlReport(model, pictures, more).build();
 }
 
 }  // namespace gouge

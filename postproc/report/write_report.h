@@ -28,13 +28,18 @@ struct Headlines {
 /// Returns only the summary.
 [[nodiscard]] std::string summary_text(const ReportModel& model, bool is_coloured = false, std::size_t columns = 0);
 
+/// Parts of a page that other modules make.
+struct HtmlParts {
+  std::string view;                        ///< the 3D view (postproc/viewer), which precedes the pictures
+  std::vector<std::string> tool_drawings;  ///< SVG for each tool; empty: no drawings
+};
+
 /// Returns the report as one HTML page that needs no other file. It has verdict, guarantee, pictures (embedded),
 /// findings and the changes of a correction. It also has the unchecked moves, inputs with checksums, and options. It
 /// can be printed on A4. Long tables show their worst rows and the number of the others; CSV and JSON have all rows.
-/// `pictures` are PNG files with the names of draw_report_pictures; event_N.png is linked from the findings. `view` is
-/// the HTML of the 3D view (postproc/viewer), which precedes the pictures; it may be empty.
+/// `pictures` are PNG files with the names of draw_report_pictures; event_N.png is linked from the findings.
 [[nodiscard]] std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures,
-                                     const std::string& view = {});
+                                     const HtmlParts& more = {});
 
 /// Returns the report as JSON: docs/formats/report_json.md, schema docs/formats/report.schema.json. The order of keys
 /// is fixed. Lengths are in the toolpath's unit and read back exactly; text is UTF-8.
