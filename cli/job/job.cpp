@@ -337,7 +337,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
                         ReportParts parts) const {
   ReportModel model;
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  model.sign_off = {options.date, arguments.command, arguments.project, arguments.reviewer};
+  model.sign_off = {options.date, arguments.command, arguments.project, arguments.reviewer, arguments.batch_job};
   model.inputs = inputs;
   if (arguments.project_file) model.inputs.push_back(arguments.project_file->input);
   model.options = options.check;

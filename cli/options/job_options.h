@@ -61,6 +61,7 @@ struct JobArguments : Verbosity, StockArguments {
   bool is_strict = false;
   bool has_warnings_as_errors = false;
   std::string project, reviewer;           ///< of the head of the report
+  std::string batch_job;                   ///< name of the job in its batch; empty: it is none
   std::string command;                     ///< the command line, to be typed again (command_text.h)
   std::vector<std::string> lengths_in_mm;  ///< typed without a unit (length_rule.h)
 };

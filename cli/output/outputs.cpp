@@ -7,6 +7,7 @@
 #include "cli/output/overwriting.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
+#include "postproc/accept/review_data.h"
 #include "postproc/export/make_export.h"
 #include "postproc/image/report_pictures.h"
 #include "postproc/image/tool_drawing.h"
@@ -125,8 +126,10 @@ Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, con
   const Result<std::string> view = write_viewer(shown, progress.call());
   if (!view) return view.error();
   progress.begin("writing the report");
-  files.push_back({"report.html", write_html(model, files, {*view, drawings_of(input)}), ""});
-  files.push_back({"result.json", write_json(model), ""});
+  const std::string result = write_json(model);
+  const std::string review = model.has_correction ? std::string() : review_data(model, "result.json", result);
+  files.push_back({"report.html", write_html(model, files, {*view, drawings_of(input), review}), ""});
+  files.push_back({"result.json", result, ""});
   files.push_back({"moves.csv", write_csv(model), ""});
   return report_->stage(files);
 }

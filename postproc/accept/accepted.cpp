@@ -182,13 +182,21 @@ Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::stri
   return all;
 }
 
+namespace {
+
+Json sealed_json(const Acceptance& entry) {
+  Json json = entry_json(entry);
+  json["seal"] = seal_of(nlohmann::json(json));
+  return json;
+}
+
+}  // namespace
+
+std::string write_entry(const Acceptance& entry) { return sealed_json(entry).dump(); }
+
 std::string write_accepted(const std::vector<Acceptance>& entries) {
   Json all = Json::array();
-  for (const Acceptance& entry : entries) {
-    Json json = entry_json(entry);
-    json["seal"] = seal_of(nlohmann::json(json));
-    all.push_back(std::move(json));
-  }
+  for (const Acceptance& entry : entries) all.push_back(sealed_json(entry));
   const Json file = {{"format", kFormat},
                      {"format_version", 1},
                      {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},

@@ -40,6 +40,9 @@ struct Acceptance {
 /// Returns the text of the file, in which each entry has a seal of its contents. It reads back as the same entries.
 [[nodiscard]] std::string write_accepted(const std::vector<Acceptance>& entries);
 
+/// Returns the text of one entry with its seal, as it stands in the file.
+[[nodiscard]] std::string write_entry(const Acceptance& entry);
+
 /// The person, reason and date of an acceptance.
 struct AcceptanceNote {
   std::string reason, by, date;

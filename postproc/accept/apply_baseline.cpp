@@ -56,6 +56,9 @@ class Baseline {
     entry.by = a.by;
     entry.date = a.date;
     entry.reason = a.reason;
+    entry.toolpath = a.toolpath;
+    entry.line = a.line;
+    entry.text = write_entry(a);
     entry.finding = a.toolpath + ":" + std::to_string(a.line) + ": " + a.finding;
     if (const auto change = find_setup_change(a)) {
       entry.use = BaselineEntry::Use::voided;

@@ -11,6 +11,34 @@ std::string accepted_words(const ReportModel& model) {
   return count_text(model.baseline.accepted_findings(), "accepted gouge");
 }
 
+namespace {
+
+bool is_of_other(const ReportModel& model, const BaselineEntry& entry) {
+  return !entry.toolpath.empty() && !is_same_program(entry.toolpath, model.toolpath->file);
+}
+
+std::string words_of_other(const ReportModel& model, const BaselineEntry& entry) {
+  if (!is_of_other(model, entry)) return {};
+  return kThroughEntry + entry.toolpath + ", line " + std::to_string(entry.line);
+}
+
+}  // namespace
+
+bool is_same_program(const std::string& accepted, const std::string& checked) {
+  const auto ends_with = [](const std::string& longer, const std::string& name) {
+    return longer == name || longer.ends_with("/" + name);
+  };
+  return ends_with(accepted, checked) || ends_with(checked, accepted);
+}
+
+std::size_t accepted_through_others(const ReportModel& model) {
+  return static_cast<std::size_t>(std::ranges::count_if(model.baseline.events, [&](const EventAcceptance& event) {
+    return event.is_accepted && std::ranges::any_of(event.entries, [&](std::size_t entry) {
+             return is_of_other(model, model.baseline.entries[entry]);
+           });
+  }));
+}
+
 std::vector<std::string> acceptance_remarks(const ReportModel& model, std::size_t event) {
   std::vector<std::string> remarks;
   if (event >= model.baseline.events.size()) return remarks;
@@ -19,8 +47,8 @@ std::vector<std::string> acceptance_remarks(const ReportModel& model, std::size_
   if (!acceptance.is_accepted) return remarks;
   for (const std::size_t k : acceptance.entries) {
     const BaselineEntry& entry = model.baseline.entries[k];
-    remarks.push_back("accepted by " + entry.by + (entry.date.empty() ? "" : " on " + entry.date) + ": " +
-                      entry.reason);
+    remarks.push_back("accepted by " + entry.by + (entry.date.empty() ? "" : " on " + entry.date) +
+                      words_of_other(model, entry) + ": " + entry.reason);
   }
   return remarks;
 }
@@ -30,8 +58,11 @@ std::string baseline_counts(const ReportModel& model) {
   const auto count = [&](BaselineEntry::Use use) {
     return std::to_string(std::ranges::count(model.baseline.entries, use, &BaselineEntry::use));
   };
+  const std::size_t others = accepted_through_others(model);
+  const std::string through =
+      others == 0 ? "" : "; " + count_text(others, "finding") + " accepted" + kThroughEntry + "another program";
   return count(BaselineEntry::Use::applied) + " applied, " + count(BaselineEntry::Use::unused) +
-         " with nothing left to accept, " + count(BaselineEntry::Use::voided) + " void";
+         " with nothing left to accept, " + count(BaselineEntry::Use::voided) + " void" + through;
 }
 
 std::string baseline_lines(const ReportModel& model) {

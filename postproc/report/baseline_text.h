@@ -23,4 +23,13 @@ namespace gouge {
 /// it. Empty without --baseline.
 [[nodiscard]] std::string baseline_lines(const ReportModel& model);
 
+/// Returns whether a file of an acceptance may be the checked one: their names are equal, or one ends with the other.
+[[nodiscard]] bool is_same_program(const std::string& accepted, const std::string& checked);
+
+/// Returns the number of accepted findings whose acceptance was made for another program.
+[[nodiscard]] std::size_t accepted_through_others(const ReportModel& model);
+
+/// Begins the words about the entry of another program, in acceptance_remarks.
+inline constexpr const char* kThroughEntry = " through the entry of ";
+
 }  // namespace gouge

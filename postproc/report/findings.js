@@ -36,8 +36,8 @@
   const bar = document.createElement("div");
   bar.className = "filters";
   const filters = [];
-  const addChoice = (label, of) => {
-    const names = [...new Set(all.map(of))].filter(name => name !== "");
+  const addChoice = (label, of, given) => {
+    const names = given ?? [...new Set(all.map(of))].filter(name => name !== "");
     if (names.length < 2) return;
     const select = document.createElement("select");
     select.append(new Option(label, ""), ...names.map(name => new Option(name, name)));
@@ -48,6 +48,7 @@
   };
   addChoice("any state", row => row.dataset.state);
   addChoice("accepted or not", row => row.dataset.accepted ?? "");
+  if (document.getElementById("review-data")) addChoice("any review", row => row.dataset.review ?? "open", ["open", "to fix", "question", "accepted"]);
   addChoice("any tool", row => row.dataset.tool);
   addChoice("any body", row => row.dataset.body);
   addChoice("any operation", row => text(row, at.operation));
@@ -109,6 +110,7 @@
     chosen?.classList.remove("chosen");
     chosen = row;
     row.classList.add("chosen");
+    document.dispatchEvent(new CustomEvent("chosen", { detail: indexOf(row) }));
     const top = shown.indexOf(row) * kRowHeight;
     if (isLong && (top < wide.scrollTop || top > wide.scrollTop + wide.clientHeight - 3 * kRowHeight)) {
       wide.scrollTop = Math.max(0, top - wide.clientHeight / 2);
@@ -135,6 +137,7 @@
   window.findings = {
     first: () => shown.length > 0 ? indexOf(shown[0]) : undefined,
     count: () => shown.length,
+    rows: () => all,
     choose: index => { const row = all.find(one => indexOf(one) === index); if (row) choose(row); },
     numberOf: index => shown.findIndex(row => indexOf(row) === index) + 1,
     // The next of those shown, from the one that was chosen last.

@@ -21,8 +21,12 @@ bool is_finding(const Event& event) {
 
 class FindingsTable {
  public:
-  FindingsTable(const ReportModel& model, const std::vector<NamedFile>& pictures)
-      : model_(model), pictures_(pictures), unit_(model.toolpath->unit), numbers_(finding_numbers(*model.result)) {}
+  FindingsTable(const ReportModel& model, const std::vector<NamedFile>& pictures, const std::string& review)
+      : model_(model),
+        pictures_(pictures),
+        review_(review),
+        unit_(model.toolpath->unit),
+        numbers_(finding_numbers(*model.result)) {}
 
   [[nodiscard]] std::string html() const {
     std::vector<const Event*> events;
@@ -36,13 +40,16 @@ class FindingsTable {
         {"Overcut", "n"}, {"Body"},     {"Against"},   {"At, in " + std::string(unit_words(unit_))},
         {"Moves", "n"},   {"Operation"}};
     if (model_.cure_options) columns.push_back({"Cured by"});
+    if (model_.baseline.is_given()) columns.push_back({"Acceptance"});
+    if (!review_.empty()) columns.push_back({"Review"});
     columns.push_back({""});
     HtmlTable table(columns);
     for (const Event* event : events) table.has_room() ? table.add(row(*event), attributes(*event)) : table.skip();
     return "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, the worst "
            "first. Line, depth and position are those of its deepest move, the overcut is the largest of its "
            "moves.</p>\n<div id=\"findings\">\n" +
-           table.html() + "</div>\n<script>\n\"use strict\";\n" + std::string(kFindingsScript) + "</script>\n";
+           table.html() + "</div>\n" + review_ + "<script>\n\"use strict\";\n" + std::string(kFindingsScript) +
+           "</script>\n";
   }
 
  private:
@@ -82,17 +89,18 @@ class FindingsTable {
     return static_cast<std::size_t>(&event - model_.result->events.data());
   }
 
-  [[nodiscard]] std::string acceptance(std::size_t event) const {
-    std::string out = model_.baseline.is_accepted(event) ? " <span class=\"state\">accepted</span>" : "";
-    for (const std::string& remark : acceptance_remarks(model_, event))
-      out += "<div class=\"soft\">" + xml_escaped(remark) + "</div>";
-    return out;
+  // Returns the reason of an acceptance, or why one does not hold.
+  [[nodiscard]] std::string acceptance_cell(std::size_t event) const {
+    if (!model_.baseline.is_given()) return {};
+    return html_cell(listed(acceptance_remarks(model_, event), "; "));
   }
 
   [[nodiscard]] std::string row(const Event& event) const {
     const MoveVerdict& verdict = model_.result->verdicts[event.worst_move];
     const Move& move = model_.toolpath->moves[event.worst_move];
     const std::string state = state_name(event.state);
+    const std::string accepted =
+        model_.baseline.is_accepted(index_of(event)) ? " <span class=\"state\">accepted</span>" : "";
     std::string depth = "-";
     if (event.state == MoveState::gouge) depth = depth_text(verdict.depth_mm, unit_, model_.options);
     if (has_wide_depth(model_, verdict)) depth += " to " + depth_text(verdict.depth_upper_mm, unit_, model_.options);
@@ -104,12 +112,13 @@ class FindingsTable {
     const std::string span = event.moves < 2 ? std::to_string(event.worst_move)
                                              : std::to_string(event.first_move) + "-" + std::to_string(event.last_move);
     return html_cell(std::to_string(numbers_[index_of(event)]), "n") + "<td><span class=\"state " + state + "\">" +
-           state + "</span>" + acceptance(index_of(event)) + "</td>" + html_cell(std::to_string(move.line), "n") +
-           html_cell(depth, "n") + html_cell(overcut_mm > 0 ? depth_text(overcut_mm, unit_) : "", "n") +
+           state + "</span>" + accepted + "</td>" + html_cell(std::to_string(move.line), "n") + html_cell(depth, "n") +
+           html_cell(overcut_mm > 0 ? depth_text(overcut_mm, unit_) : "", "n") +
            html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
            html_cell(against) +
            html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
            html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + cures_cell(event) +
+           acceptance_cell(index_of(event)) + (review_.empty() ? "" : "<td class=\"review\"></td>") +
            "<td class=\"k\">" + link(event) + "</td>";
   }
 
@@ -121,6 +130,7 @@ class FindingsTable {
 
   const ReportModel& model_;
   const std::vector<NamedFile>& pictures_;
+  const std::string& review_;
   LengthUnit unit_;
   std::vector<std::size_t> numbers_;
 };
@@ -137,8 +147,10 @@ double overcut_of(const ReportModel& model, const Event& event) {
   return largest;
 }
 
-std::string findings_html(const ReportModel& model, const std::vector<NamedFile>& pictures) {
-  return FindingsTable(model, pictures).html();
+std::string findings_html(const ReportModel& model, const std::vector<NamedFile>& pictures, const std::string& review) {
+  const std::string data =
+      review.empty() ? "" : "<script type=\"application/json\" id=\"review-data\">" + review + "</script>\n";
+  return FindingsTable(model, pictures, data).html();
 }
 
 }  // namespace gouge

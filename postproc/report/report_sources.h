@@ -7,6 +7,6 @@
 namespace gouge {
 
 extern const std::string_view kHtmlStyle;       ///< report.css: the style of all pages, for screens and paper
-extern const std::string_view kFindingsScript;  ///< findings.js
+extern const std::string_view kFindingsScript;  ///< findings.js, sha256.js and review.js
 
 }  // namespace gouge

@@ -5,8 +5,16 @@
 
 namespace gouge {
 
-std::string sign_off_facts(const ReportModel& model) {
-  const SignOff& s = model.sign_off;
+std::string batch_links(const SignOff& s) {
+  if (s.batch_job.empty()) return {};
+  const auto link = [&](const char* way, const char* words) {
+    return std::string("<a href=\"../../index.html#") + way + "=" + uri_of(s.batch_job) + "\">" + words + "</a>";
+  };
+  return "<nav class=\"on-screen\">" + link("at", "All reports of the batch") + link("before", "Previous report") +
+         link("after", "Next report") + "</nav>\n";
+}
+
+std::string sign_off_facts(const SignOff& s) {
   std::string out = "<dl class=\"facts\">\n";
   const auto add = [&](const char* name, const std::string& value, const char* css = "") {
     if (!value.empty())
@@ -20,14 +28,14 @@ std::string sign_off_facts(const ReportModel& model) {
   return out + "</dl>\n";
 }
 
-std::string sign_off_lines(const ReportModel& model) {
+std::string sign_off_lines(const SignOff& s) {
   std::string out = "<div class=\"sign\">\n";
   const auto add = [&](const char* what, const std::string& name) {
     out += std::string("<div><b>") + what + "</b><p>" + xml_escaped(name) + "</p><span>Name</span><p></p>" +
            "<span>Date and signature</span></div>\n";
   };
   add("Programmed by", "");
-  add("Reviewed by", model.sign_off.reviewer);
+  add("Reviewed by", s.reviewer);
   add("Released by", "");
   return out + "</div>\n";
 }

@@ -13,6 +13,7 @@
 #include "postproc/report/excess_text.h"
 #include "postproc/report/findings_html.h"
 #include "postproc/report/html_table.h"
+#include "postproc/report/open_items.h"
 #include "postproc/report/operations_html.h"
 #include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
@@ -54,12 +55,13 @@ class HtmlReport {
                                           model_.toolpath->file);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
-           title + "</title>\n<style>" + std::string(kHtmlStyle) + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
-           "</h1>\n" + against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() +
-           changes() + axis_section(model_) + operations_html(model_, times_) + findings_html(model_, pictures_) +
-           laws() + stickouts() + material_left() + open_queries() + close_ups() +
-           tools_html(model_, more_.tool_drawings) + assumptions_html(*model_.result) + inputs() + options() + notes() +
-           "<footer>" + kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
+           title + "</title>\n<style>" + std::string(kHtmlStyle) + "</style>\n</head>\n<body>\n<main>\n" +
+           batch_links(model_.sign_off) + "<h1>" + title + "</h1>\n" + against() + sign_off_facts(model_.sign_off) +
+           banner() + numbers() + sign_off_lines(model_.sign_off) + overview() + changes() + axis_section(model_) +
+           operations_html(model_, times_) + findings_html(model_, pictures_, more_.review) + laws() + stickouts() +
+           material_left() + open_queries() + close_ups() + tools_html(model_, more_.tool_drawings) +
+           assumptions_html(*model_.result) + inputs() + options() + notes() + "<footer>" + kProgramName + " " +
+           kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
   }
 
  private:
@@ -91,7 +93,7 @@ class HtmlReport {
     if (!before.empty()) before = "<p class=\"soft\">Before the correction: " + xml_escaped(before) + ".</p>\n";
     const std::string guarantee = guarantee_text(model_);
     return std::string("<div class=\"banner ") + verdict_name(verdict) + "\"><strong>" + word + "</strong><div>" +
-           xml_escaped(headline) + "</div></div>\n" + before + beside_the_verdict() +
+           xml_escaped(headline) + open_items_html(model_) + "</div></div>\n" + before + beside_the_verdict() +
            "<p class=\"promise\">The guarantee of this check: " + xml_escaped(guarantee) + ".</p>\n";
   }
 

@@ -32,6 +32,7 @@ struct Headlines {
 struct HtmlParts {
   std::string view;                        ///< the 3D view (postproc/viewer), which precedes the pictures
   std::vector<std::string> tool_drawings;  ///< SVG for each tool; empty: no drawings
+  std::string review = {};                 ///< data of review_data (postproc/accept); empty: findings have no review
 };
 
 /// Returns the report as one HTML page that needs no other file. It has verdict, guarantee, pictures (embedded),

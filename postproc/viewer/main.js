@@ -15,6 +15,7 @@ const startDesk = async () => {
     section.hidden = true;
     document.body.classList.remove('has-desk');
     byId('desk-missing').hidden = false;
+    document.dispatchEvent(new Event('no-desk'));
     console.info('no 3D view: ' + error.message);
     return;
   }

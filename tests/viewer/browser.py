@@ -117,11 +117,15 @@ class Browser:
         return answer["result"].get("value")
 
     def wait(self, condition, tries=600):
-        """Until an expression is true."""
+        """Until an expression is true, also where the page leads to another one meanwhile."""
         for _ in range(tries):
-            if self.evaluate(condition):
-                return
-            self.evaluate("new Promise(done => setTimeout(done, 50))")
+            try:
+                if self.evaluate(condition):
+                    return
+                self.evaluate("new Promise(done => setTimeout(done, 50))")
+            except RuntimeError as error:
+                if "navigated" not in str(error) and "context" not in str(error):
+                    raise
         raise RuntimeError("never came: " + condition)
 
     def open(self, file):
