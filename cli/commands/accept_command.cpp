@@ -68,12 +68,20 @@ bool is_date(const std::string& text) {
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
 
+bool is_accepting(const AcceptArguments& a) { return a.is_all || !a.findings.empty(); }
+
 /// Finds an option other than the result that is missing or wrong.
 std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
-  if (a.findings.empty()) {
+  if (a.is_all && !a.findings.empty())
+    return make_error("usage", "accept takes --all or --finding, and not both: --all accepts every finding");
+  if (a.results.size() > 1 && !a.findings.empty())
+    return make_error("usage",
+                      "accept takes --finding for one result, as each result has its own numbers; give one "
+                      "RESULT, or --all");
+  if (!is_accepting(a)) {
     if (a.reason.empty() && a.by.empty() && a.date.empty() && a.output.empty()) return std::nullopt;
     return make_error("usage",
-                      "accept needs --finding, the number of what is accepted; without any other option it "
+                      "accept needs --finding, the number of what is accepted, or --all; without any other option it "
                       "lists the findings of a result");
   }
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
@@ -111,8 +119,8 @@ Result<std::vector<Acceptance>> read_existing(const std::string& file, const Inp
 
 void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
   command
-      .add_option("RESULT", arguments.result,
-                  "Result with the findings (the output of --json, or result.json of a report)")
+      .add_option("RESULT", arguments.results,
+                  "Results with the findings (the output of --json, or result.json of a report)")
       ->type_name("FILE")
       ->required();
   command
@@ -120,6 +128,8 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
                   "Number of a finding to accept (repeatable; default: list all findings)")
       ->type_name("UINT")
       ->allow_extra_args(false);
+  command.add_flag("--all", arguments.is_all,
+                   "Accept every finding of each RESULT. Findings that cannot be accepted are named and stay gouges");
   command.add_option("--reason", arguments.reason, "Reason why the finding is accepted")->type_name("TEXT");
   command.add_option("--by", arguments.by, "Name of the person who accepts the finding")->type_name("NAME");
   command.add_option("--date", arguments.date, "Date of the acceptance, such as 2026-11-23 (default: today, UTC)")
@@ -132,40 +142,116 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       "  gougecheck accept report/result.json\n"
       "  gougecheck accept report/result.json --finding 3 --reason \"stock allowance\" \\\n"
       "      --by \"R. Miller\" -o accepted.json\n"
+      "  gougecheck accept night/reports/*/result.json --all --reason \"prototype\" \\\n"
+      "      --by \"R. Miller\" -o accepted.json\n"
       "  gougecheck check part.apt --part part.stl --baseline accepted.json\n\n"
       "An acceptance holds for these motions up to this depth, with this tool, part, place, tolerance and "
       "clearances. If one of them changes, the acceptance is no longer valid. A buried tool cannot be accepted, "
       "nor can a move that was not checked or not certified.");
 }
 
+namespace {
+
+/// Adds findings of results to the entries of a file.
+class Acceptor {
+ public:
+  Acceptor(const AcceptArguments& arguments, std::vector<Acceptance> accepted)
+      : arguments_(arguments),
+        note_{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date},
+        before_(accepted.size()),
+        accepted_(std::move(accepted)) {}
+
+  /// Accepts the findings that were asked for by their numbers.
+  Outcome accept_named(const StoredResult& result) {
+    for (const std::uint32_t number : arguments_.findings) {
+      if (Outcome added = add(result, number); !added) return added;
+    }
+    return Done{};
+  }
+
+  /// Accepts every finding that can be accepted. Those that are accepted already stay as they are.
+  void accept_all(const StoredResult& result) {
+    std::vector<std::size_t> numbers;
+    for (const EventRecord& finding : result.findings) numbers.push_back(*finding.number);
+    std::ranges::sort(numbers);
+    for (const std::size_t number : numbers) {
+      const Outcome added = add(result, number);
+      if (added) continue;
+      added.error().code == "accept-twice" ? static_cast<void>(++known_) : refused_.push_back(added.error());
+    }
+  }
+
+  [[nodiscard]] const Diagnostics& refused() const { return refused_; }
+  [[nodiscard]] std::string bytes() const { return write_accepted(accepted_); }
+  [[nodiscard]] bool is_changed() const { return accepted_.size() > before_; }
+
+  void tell(std::ostream& out) const {
+    for (std::size_t k = before_; k < accepted_.size(); ++k) {
+      const Acceptance& made = accepted_[k];
+      out << printable("accepted: " + made.toolpath + ":" + std::to_string(made.line) + ": " + made.finding) << "\n";
+    }
+    if (known_ > 0) out << count_text(known_, "finding") << " accepted before\n";
+    if (is_changed())
+      out << printable(arguments_.output + " has " + count_text(accepted_.size(), "accepted finding")) << "\n";
+  }
+
+ private:
+  Outcome add(const StoredResult& result, std::size_t number) {
+    Result<Acceptance> made = accept_finding(result, number, note_, accepted_);
+    if (!made) return made.error();
+    accepted_.push_back(std::move(*made));
+    return Done{};
+  }
+
+  const AcceptArguments& arguments_;
+  AcceptanceNote note_;
+  std::size_t before_ = 0, known_ = 0;
+  std::vector<Acceptance> accepted_;
+  Diagnostics refused_;
+};
+
+Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments) {
+  std::vector<StoredResult> results;
+  for (const std::string& file : arguments.results) {
+    const Result<std::string> bytes = read_file(file, arguments.input.max_bytes);
+    if (!bytes) return bytes.error();
+    Result<StoredResult> result = read_result(file, *bytes);
+    if (!result) return result.error();
+    results.push_back(std::move(*result));
+  }
+  return results;
+}
+
+int accept(const AcceptArguments& arguments, const std::vector<StoredResult>& results, std::ostream& out,
+           std::ostream& err) {
+  const FolderLock lock(arguments.output);
+  Result<std::vector<Acceptance>> existing = read_existing(arguments.output, arguments.input);
+  if (!existing) return fail(err, {existing.error()});
+  Acceptor acceptor(arguments, std::move(*existing));
+  for (const StoredResult& result : results) {
+    if (arguments.is_all) acceptor.accept_all(result);
+    if (const Outcome named = acceptor.accept_named(result); !named) return fail(err, {named.error()});
+  }
+  if (acceptor.is_changed()) {
+    if (const Outcome written = write_output(arguments.output, acceptor.bytes(), out); !written)
+      return fail(err, {written.error()}, kExitInternal);
+  }
+  acceptor.tell(out);
+  return acceptor.refused().empty() ? kExitClean : fail(err, acceptor.refused());
+}
+
+}  // namespace
+
 int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream& err) {
   if (const auto wrong = find_wrong_word(arguments)) return fail(err, {*wrong});
   const OutputTable outputs = asked_for({{"-o", arguments.output}});
-  if (const auto status = refuse_outputs({{"the result", arguments.result}}, outputs, err)) return *status;
-  const Result<std::string> bytes = read_file(arguments.result, arguments.input.max_bytes);
-  if (!bytes) return fail(err, {bytes.error()});
-  const Result<StoredResult> result = read_result(arguments.result, *bytes);
-  if (!result) return fail(err, {result.error()});
-  if (arguments.findings.empty()) {
-    list(*result, out);
-    return kExitClean;
-  }
-  const FolderLock lock(arguments.output);
-  Result<std::vector<Acceptance>> accepted = read_existing(arguments.output, arguments.input);
-  if (!accepted) return fail(err, {accepted.error()});
-  const AcceptanceNote note{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date};
-  for (const std::uint32_t number : arguments.findings) {
-    Result<Acceptance> made = accept_finding(*result, number, note, *accepted);
-    if (!made) return fail(err, {made.error()});
-    accepted->push_back(std::move(*made));
-  }
-  if (const Outcome written = write_output(arguments.output, write_accepted(*accepted), out); !written)
-    return fail(err, {written.error()}, kExitInternal);
-  for (std::size_t k = accepted->size() - arguments.findings.size(); k < accepted->size(); ++k) {
-    const Acceptance& made = (*accepted)[k];
-    out << printable("accepted: " + made.toolpath + ":" + std::to_string(made.line) + ": " + made.finding) << "\n";
-  }
-  out << printable(arguments.output + " has " + count_text(accepted->size(), "accepted finding")) << "\n";
+  std::vector<InputOption> inputs;
+  for (const std::string& file : arguments.results) inputs.push_back({"the result", file});
+  if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
+  const Result<std::vector<StoredResult>> results = read_results(arguments);
+  if (!results) return fail(err, {results.error()});
+  if (is_accepting(arguments)) return accept(arguments, *results, out, err);
+  for (const StoredResult& result : *results) list(result, out);
   return kExitClean;
 }
 

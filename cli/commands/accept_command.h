@@ -14,8 +14,9 @@ class App;
 namespace gouge {
 
 struct AcceptArguments {
-  std::string result;
-  std::vector<std::uint32_t> findings;  ///< numbers of findings to accept; empty: list all findings
+  std::vector<std::string> results;
+  std::vector<std::uint32_t> findings;  ///< numbers of findings to accept
+  bool is_all = false;                  ///< every finding of every result; without numbers: list all findings
   std::string reason, by, date;         ///< an empty date means today
   std::string output;
   InputLimit input;
@@ -23,7 +24,7 @@ struct AcceptArguments {
 
 void add_accept_options(CLI::App& command, AcceptArguments& arguments);
 
-/// Runs `gougecheck accept`, which adds findings of a result to a file of accepted ones, or lists its entries. Returns
+/// Runs `gougecheck accept`, which adds findings of results to a file of accepted ones, or lists the findings. Returns
 /// the exit status: 0 done, 2 wrong command line, 3 unreadable or not acceptable, 5 output unwritable.
 [[nodiscard]] int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream& err);
 

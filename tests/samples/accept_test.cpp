@@ -278,6 +278,46 @@ TEST_F(Accept, OptionsAreAskedForByName) {
   EXPECT_NE(listed.out.find("1  path.apt:13: 0.200 mm cutter T1 at ("), std::string::npos) << listed.out;
 }
 
+TEST_F(Accept, AllFindingsAreAcceptedAtOnce) {
+  const std::string text = path_text(stations({{40, -0.2}, {50, -0.2}, {60, 1}, {70, 1}, {80, -0.3}, {85, -0.3}}));
+  ASSERT_EQ(shop_.check("a", text).exit_status, 1);
+  const std::size_t count = shop_.json("a.json").at("events").size();
+  ASSERT_GE(count, 2U);
+  const Words words = {"accept", "a.json", "--all",      "--reason", "prototype",    "--by",
+                       "R. M.",  "--date", "2026-11-23", "-o",       "accepted.json"};
+  const Outcome ran = shop_.run(words);
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+  EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), count);
+  const Outcome again = shop_.run(words);
+  EXPECT_EQ(again.exit_status, 0) << again.err;
+  EXPECT_EQ(again.out, std::to_string(count) + " findings accepted before\n");
+  EXPECT_EQ(check(text).exit_status, 0);
+}
+
+TEST_F(Accept, AllGoesWithoutNumbersAndNumbersWithOneResult) {
+  accept_deep();
+  const Words note = {"--reason", "r", "--by", "b", "-o", "accepted.json"};
+  const auto refused = [&](Words words) {
+    words.insert(words.end(), note.begin(), note.end());
+    return error_of(words);
+  };
+  EXPECT_NE(refused({"accept", "a.json", "--all", "--finding", "1"}).find("--all or --finding, and not both"),
+            std::string::npos);
+  EXPECT_NE(refused({"accept", "a.json", "a.json", "--finding", "1"}).find("--finding for one result"),
+            std::string::npos);
+}
+
+TEST_F(Accept, AnEntryOfAnotherProgramIsNamed) {
+  accept_deep();
+  shop_.write("other.apt", path_text(stations(kDeep)));
+  const Outcome ran = shop_.run({"check", "other.apt", "--part", "part.stl", "--baseline", "accepted.json"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("accepted by R. Miller on 2026-11-23 through the entry of path.apt, line 13: stock allowance"),
+            std::string::npos)
+      << ran.out;
+  EXPECT_NE(ran.out.find("0 void; 1 finding accepted through the entry of another program"), std::string::npos);
+}
+
 TEST_F(Accept, ABatchTakesABaselineAndSaysAccepted) {
   accept_deep();
   const Outcome ran =
