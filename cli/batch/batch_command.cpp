@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "cli/batch/batch_run.h"
+#include "cli/batch/batch_sign_off.h"
 #include "cli/batch/batch_watch.h"
 #include "cli/batch/settled_files.h"
 #include "cli/output/report_folder.h"
@@ -246,7 +247,7 @@ class Batch {
 
   void identify() {
     const std::string build = sha256_of_program();
-    identity_ = {kProgramVersion, build, {}, jobs_.size(), {}, {}};
+    identity_ = {kProgramVersion, build, {}, jobs_.size(), {}, {}, batch_sign_off(arguments_, jobs_)};
     Sha256 list;
     for (std::size_t number = 0; number < jobs_.size(); ++number) {
       texts_.push_back(job_text(jobs_[number], std::string(kProgramVersion) + ' ' + build));
@@ -317,7 +318,7 @@ class Batch {
     const std::vector<JobResult>& results = *read;
     const bool is_whole = std::ranges::all_of(results, [](const JobResult& job) { return job.status.has_value(); });
     warn_of_two_contents(results);
-    Outcome written = write_batch_files(*folder_, results);
+    Outcome written = write_batch_files(*folder_, results, identity_.sign_off);
     if (written && is_whole) written = store_->end();
     const bool is_any_to_run_again =
         std::ranges::any_of(results, [](const JobResult& job) { return job.status == kExitInternal; });

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "cli/batch/toolpath_files.h"
 #include "cli/commands/job_words.h"
 #include "cli/output/overwriting.h"
 #include "cli/output/report_folder.h"
@@ -54,6 +55,7 @@ void place_outputs(BatchJob& job, const BatchFolder& folder) {
   arguments.progress = "never";
   arguments.is_quiet = true;
   job.has_report = job.has_report && folder.has_reports;
+  arguments.batch_job = job.name;
   if (job.has_report) arguments.report_folder = folder.report_of(job.name);
   if (auto* correct = std::get_if<CorrectArguments>(&job.arguments); correct != nullptr && correct->output.empty()) {
     correct->output_name = BatchFolder::corrected_name(job);
@@ -148,10 +150,10 @@ class JobListReader {
       const Outcome added = words.add(key, *field.value);
       if (!added) return fail(called(name, paths) + added.error().message, field.pointer, "jobs-option");
     }
-    for (const std::string& path : paths) {
-      const std::string stem = fs::path(path).stem().string();
-      const std::string job_name = name.empty() ? stem : paths.size() == 1 ? name : name + " " + stem;
-      add(job_name, command, words.words(), path, has_report, pointer);
+    const std::vector<std::string> of_files = names_of_toolpaths(paths);
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+      const std::string job_name = name.empty() ? of_files[k] : paths.size() == 1 ? name : name + " " + of_files[k];
+      add(job_name, command, words.words(), paths[k], has_report, pointer);
     }
   }
 
@@ -342,18 +344,21 @@ Result<std::vector<BatchJob>> read_job_list(const std::string& file, const Batch
   return JobListReader(file, folder).run();
 }
 
-Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
-                                        const std::vector<std::string>& words, const BatchFolder& folder) {
-  if (std::ranges::none_of(words, [](const std::string& word) { return word.starts_with("--part="); }))
+Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& places, const std::vector<std::string>& words,
+                                        const BatchFolder& folder) {
+  const auto has_word = [&](std::string_view begin) {
+    return std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(begin); });
+  };
+  if (!has_word("--part="))
     return make_error("usage",
                       "toolpaths need --part; a job list, which says it of each job, is one file called *.json");
-  std::map<std::string, std::size_t> stems;
-  for (const std::string& path : toolpaths) ++stems[fs::path(path).stem().string()];
+  const Result<std::vector<std::string>> toolpaths = expand_folders(places, folder.path, has_word("--control="));
+  if (!toolpaths) return toolpaths.error();
+  const std::vector<std::string> names = names_of_toolpaths(*toolpaths);
   std::vector<BatchJob> jobs;
   std::map<std::string, std::string> files;
-  for (const std::string& path : toolpaths) {
-    const std::string stem = fs::path(path).stem().string();
-    const std::string name = stems[stem] == 1 ? stem : fs::path(path).filename().string();
+  for (std::size_t k = 0; k < toolpaths->size(); ++k) {
+    const std::string &path = (*toolpaths)[k], &name = names[k];
     if (const auto why = why_no_name(name))
       return make_error("usage", "the name of a job, '" + printable(name) + "', " + *why +
                                      "; expected a file name that can name a folder, or a job list with names");

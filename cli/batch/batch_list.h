@@ -41,8 +41,9 @@ struct BatchFolder {
 /// with its line: jobs-syntax, jobs-duplicate-key, jobs-field, jobs-option, and those of reading a file.
 [[nodiscard]] Result<std::vector<BatchJob>> read_job_list(const std::string& file, const BatchFolder& folder);
 
-/// Returns jobs that check each of `toolpaths` with the same options, named after their files. Errors: usage.
-[[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
+/// Returns jobs that check toolpaths with the same options, named after their files (names_of_toolpaths). `places` are
+/// toolpaths, and folders of toolpaths. Errors: usage.
+[[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& places,
                                                       const std::vector<std::string>& words, const BatchFolder& folder);
 
 /// Returns why these jobs cannot run together. An output of one job is an input or an output of another, or the job

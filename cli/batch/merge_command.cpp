@@ -119,7 +119,7 @@ class Merge {
 
   std::optional<Diagnostic> add(Share&& share) {
     const BatchIdentity& its = share.identity;
-    if (!whole_) whole_ = BatchIdentity{its.version, its.build, its.list, its.jobs, {}, {}};
+    if (!whole_) whole_ = BatchIdentity{its.version, its.build, its.list, its.jobs, {}, {}, its.sign_off};
     if (its.list != whole_->list)
       return unfit(share.folder, "its job list is another one than that of " + arguments_.shards.front() +
                                      ", or of another version of the program; expected shards of one list");
@@ -190,7 +190,7 @@ class Merge {
       done.emplace_back(whole_->numbers[k], results_[k]);
     }
     if (Outcome put = store->put(done); !put) return put;
-    if (Outcome written = write_batch_files(folder, results_); !written) return written;
+    if (Outcome written = write_batch_files(folder, results_, whole_->sign_off); !written) return written;
     return store->end();
   }
 

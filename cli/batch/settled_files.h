@@ -55,7 +55,8 @@ inline constexpr const char* kStoreName = "results.sqlite";
 
 /// Writes index.html, summary.csv, summary.json, junit.xml and findings.sarif, all of them or none. Requires that
 /// `folder` is open. Errors: those of ReportFolder.
-[[nodiscard]] Outcome write_batch_files(ReportFolder& folder, const std::vector<JobResult>& results);
+[[nodiscard]] Outcome write_batch_files(ReportFolder& folder, const std::vector<JobResult>& results,
+                                        const SignOff& sign_off);
 
 /// Returns the first of `files`, below `folder`, that exists with other content than a job of the store wrote. In an
 /// interrupted batch all of them are its own, because it found none before it began. Code: report-foreign.

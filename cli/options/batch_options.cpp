@@ -25,7 +25,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
       .add_option(
           "JOBS", a.files,
           "Job list (JOBS.json, docs/formats/batch.md), or toolpaths that are checked with the options of check "
-          "on this command line")
+          "on this command line. A folder means all toolpaths in it and below it")
       ->type_name("FILE");
   command
       .add_option("-o,--output", a.folder,
@@ -78,6 +78,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   command.footer(
       "Examples:\n"
       "  gougecheck batch ops/*.apt --part part.stl --tools tools.json -o night\n"
+      "  gougecheck batch ops --part part.stl --tools tools.json -o night\n"
       "  gougecheck batch jobs.json -o night --resume\n\n"
       "A job list:\n"
       "  {\"defaults\": {\"part\": \"part.stl\", \"tools\": \"tools.json\"},\n"

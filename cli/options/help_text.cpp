@@ -67,6 +67,12 @@ std::string shell_quoted(const std::string& word) {
 
 }  // namespace
 
+std::string repeatable_words(const std::string& command, const std::vector<std::string>& words) {
+  std::string text = std::string(kProgramName) + " " + command;
+  for (const std::string& word : words) text += " " + shell_quoted(word);
+  return text;
+}
+
 std::string repeatable_command(const CLI::App& command) {
   std::string text = std::string(kProgramName) + " " + command.get_name();
   for (const CLI::Option* option : command.get_options()) {

@@ -25,5 +25,7 @@ namespace gouge {
 /// progress, how much is printed, and the words of a report's head. So it is the same for one check however it was
 /// started.
 [[nodiscard]] std::string repeatable_command(const CLI::App& command);
+/// Returns a command line of these words, quoted for a shell where necessary.
+[[nodiscard]] std::string repeatable_words(const std::string& command, const std::vector<std::string>& words);
 
 }  // namespace gouge

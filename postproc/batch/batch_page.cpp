@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "lib/base/number_text.h"
+#include "postproc/batch/batch_sources.h"
 #include "postproc/batch/batch_text.h"
+#include "postproc/report/baseline_text.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
@@ -11,38 +13,7 @@
 namespace gouge {
 namespace {
 
-constexpr const char* kPageStyle = R"css(
-th button { font: inherit; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; }
-th button:hover { color: var(--link); } th[aria-sort=ascending] button::after { content: " \25B2"; }
-th[aria-sort=descending] button::after { content: " \25BC"; }
-#filter { font: inherit; width: 100%; max-width: 26em; padding: 6px 10px; border: 1px solid var(--line); border-radius: 5px; }
-#shown { margin-left: 14px; } td:nth-child(2) { min-width: 15em; } td.picture { min-width: 0; width: 108px; padding: 4px 12px 4px 0; }
-td.picture img { width: 96px; height: 60px; object-fit: cover; border: 1px solid var(--line); border-radius: 3px; display: block; }
-.state.gouges, .state.material-left, .state.failed { background: var(--alarm); } .state.clean { background: var(--calm); }
-.state.not-fully-checked { background: var(--open); } .banner.failed { background: var(--alarm); }
-@media print { #tools { display: none; } }
-)css";
-
-// A cell whose text is not its sort key has the key in data-v.
-constexpr const char* kScript = R"js(
-const table = document.querySelector("table"), body = table.tBodies[0], rows = [...body.rows];
-const value = (row, k) => { const c = row.cells[k], v = c.dataset.v ?? c.textContent; return v !== "" && !isNaN(v) ? +v : v; };
-[...table.tHead.rows[0].cells].forEach((head, k) => head.querySelector("button")?.addEventListener("click", () => {
-  const down = head.getAttribute("aria-sort") === "ascending";
-  for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
-  head.setAttribute("aria-sort", down ? "descending" : "ascending");
-  const sorted = [...rows].sort((a, b) => { const x = value(a, k), y = value(b, k);
-    const by = typeof x === typeof y ? (x < y ? -1 : x > y ? 1 : 0) : typeof x === "number" ? -1 : 1;
-    return down ? -by : by; });
-  body.append(...sorted);
-}));
-const filter = document.getElementById("filter"), shown = document.getElementById("shown");
-const apply = () => { const words = filter.value.toLowerCase().split(/\s+/); let count = 0;
-  for (const row of rows) { const text = row.textContent.toLowerCase();
-    row.hidden = !words.every(word => text.includes(word)); count += row.hidden ? 0 : 1; }
-  shown.textContent = count === rows.length ? "" : count + " of " + rows.length + " jobs"; };
-filter.addEventListener("input", apply); apply();
-)js";
+constexpr std::size_t kMaxNames = 4;  // maximum number of files of one role that the head names
 
 std::string sorted_by(const std::string& value, const std::string& shown, const char* css) {
   return "<td class=\"" + std::string(css) + "\" data-v=\"" + xml_escaped(value) + "\">" + shown + "</td>";
@@ -54,7 +25,7 @@ std::string picture_cell(const JobResult& job) {
     return output.file == folder + "heat_map.png";
   });
   if (!has_picture) return "<td class=\"picture\"></td>";
-  return "<td class=\"picture\"><a href=\"" + uri_of(job.report) + "\"><img loading=\"lazy\" alt=\"\" src=\"" +
+  return "<td class=\"picture\"><a href=\"" + uri_of(job.report) + "\"><img loading=\"lazy\" alt=\"Heat map\" src=\"" +
          uri_of(folder + "heat_map.png") + "\"></a></td>";
 }
 
@@ -65,10 +36,53 @@ std::string name_cell(const JobResult& job) {
   return sorted_by(job.name, shown + path, "");
 }
 
+std::size_t accepted_findings(const JobResult& job) {
+  return static_cast<std::size_t>(std::ranges::count(job.findings, "unchanged", &Finding::baseline_state));
+}
+
+// Returns in words that acceptances of another program apply to findings of this job; empty if none does.
+std::string acceptance_of_others(const JobResult& job) {
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(job.findings, [](const Finding& finding) {
+    return finding.justification.find(kThroughEntry) != std::string::npos;
+  }));
+  return count == 0 ? std::string() : count_text(count, "finding") + " accepted" + kThroughEntry + "another program";
+}
+
 std::string remark(const JobResult& job) {
   const std::vector<std::string> all = job.remarks();
-  if (all.empty()) return {};
-  return all.front() + (all.size() > 1 ? "; and " + std::to_string(all.size() - 1) + " more" : "");
+  std::string text = acceptance_of_others(job);
+  if (all.empty()) return text;
+  return text + (text.empty() ? "" : "; ") + all.front() +
+         (all.size() > 1 ? "; and " + std::to_string(all.size() - 1) + " more" : "");
+}
+
+std::string findings_cell(const JobResult& job) {
+  const std::size_t accepted = accepted_findings(job);
+  const std::string count = std::to_string(job.gouge_findings());
+  return sorted_by(
+      count, count + (accepted > 0 ? "<div class=\"soft\">" + std::to_string(accepted) + " accepted</div>" : ""), "n");
+}
+
+// Returns the names of the files with a role, each once, in the order of the jobs.
+std::string names_of(const std::vector<JobResult>& jobs, std::string_view role) {
+  std::vector<std::string> names;
+  for (const JobResult& job : jobs) {
+    for (const InputFile& input : job.inputs) {
+      if (input.role == role && std::ranges::find(names, input.name) == names.end()) names.push_back(input.name);
+    }
+  }
+  const std::size_t more = names.size() - std::min(names.size(), kMaxNames);
+  names.resize(names.size() - more);
+  return listed(names) + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+}
+
+std::string against(const std::vector<JobResult>& jobs) {
+  std::string text;
+  for (const char* role : {"part", "fixture", "head", "tools", "baseline"}) {
+    const std::string names = names_of(jobs, role);
+    if (!names.empty()) text += (text.empty() ? "" : "; ") + std::string(role) + " " + names;
+  }
+  return text.empty() ? text : "<p class=\"soft\">against " + xml_escaped(text) + "</p>\n";
 }
 
 std::string page_row(const JobResult& job, std::size_t rank) {
@@ -76,7 +90,7 @@ std::string page_row(const JobResult& job, std::size_t rank) {
   const std::string state = "<span class=\"state " + verdict + "\">" + verdict + "</span>";
   std::string row = picture_cell(job) + name_cell(job) + sorted_by(std::to_string(rank), state, "k");
   if (!job.status) return row + "<td></td><td></td><td></td><td></td>";
-  row += html_cell(std::to_string(job.moves()), "n") + html_cell(std::to_string(job.gouge_findings()), "n");
+  row += html_cell(std::to_string(job.moves()), "n") + findings_cell(job);
   row += sorted_by(job.deepest ? exact_text(job.deepest_mm) : "", xml_escaped(deepest_text(job)), "n");
   return row + html_cell(remark(job));
 }
@@ -113,15 +127,16 @@ std::string numbers(const std::vector<JobResult>& jobs) {
 
 }  // namespace
 
-std::string write_batch_page(const std::vector<JobResult>& jobs) {
+std::string write_batch_page(const std::vector<JobResult>& jobs, const SignOff& sign_off) {
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<title>Gouge check: batch</title>\n<style>" +
-      std::string(kHtmlStyle) + kPageStyle + "</style>\n</head>\n<body>\n<main>\n<h1>Gouge check: batch</h1>\n" +
-      banner(jobs) + numbers(jobs) +
+      std::string(kHtmlStyle) + std::string(kBatchStyle) +
+      "</style>\n</head>\n<body>\n<main>\n<h1>Gouge check: batch</h1>\n" + against(jobs) + sign_off_facts(sign_off) +
+      banner(jobs) + numbers(jobs) + sign_off_lines(sign_off) +
       "<h2>Jobs</h2>\n<p id=\"tools\"><input id=\"filter\" type=\"search\" placeholder=\"Filter by words\" "
-      "aria-label=\"Filter by words\"><span id=\"shown\" class=\"soft\"></span></p>\n<div class=\"wide\"><table>"
-      "<thead><tr><th></th>";
+      "aria-label=\"Filter by words\"><span id=\"shown\" class=\"soft\" role=\"status\"></span></p>\n"
+      "<div class=\"wide\"><table><thead><tr><th></th>";
   for (const char* title : {"Job", "Verdict", "Moves", "Findings", "Deepest", "Remark"}) {
     const std::string_view word = title;
     const bool is_number = word == "Moves" || word == "Findings" || word == "Deepest";
@@ -130,9 +145,13 @@ std::string write_batch_page(const std::vector<JobResult>& jobs) {
   }
   page += "</tr></thead><tbody>\n";
   std::size_t rank = 0;
-  for (const std::size_t job : worst_first(jobs)) page += "<tr>" + page_row(jobs[job], rank++) + "</tr>\n";
+  for (const std::size_t job : worst_first(jobs)) {
+    const std::string report = jobs[job].report.empty() ? "" : " data-report=\"" + uri_of(jobs[job].report) + "\"";
+    page +=
+        "<tr data-job=\"" + xml_escaped(jobs[job].name) + "\"" + report + ">" + page_row(jobs[job], rank++) + "</tr>\n";
+  }
   return page + "</tbody></table></div>\n<footer>" + kProgramName + " " + kProgramVersion +
-         "</footer>\n</main>\n<script>" + kScript + "</script>\n</body>\n</html>\n";
+         "</footer>\n</main>\n<script>\n" + std::string(kBatchScript) + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace gouge

@@ -58,7 +58,7 @@ class Database {
 };
 
 /// The PRAGMA user_version of a store. Stores with other tables have another number.
-inline constexpr int kStoreVersion = 3;
+inline constexpr int kStoreVersion = 4;
 /// The PRAGMA application_id of a store: "goug".
 inline constexpr int kStoreApplication = 0x676f7567;
 
@@ -68,7 +68,8 @@ inline constexpr std::string_view kTablesOfJob[] = {"counts", "findings", "cases
 /// The statements that create the tables. docs/formats/batch_store.md states the meaning of each column.
 inline constexpr std::string_view kCreateTables[] = {
     "CREATE TABLE runs(run INTEGER PRIMARY KEY, version TEXT NOT NULL, build TEXT NOT NULL, list TEXT NOT NULL, "
-    "jobs INTEGER NOT NULL, is_ended INTEGER NOT NULL)",
+    "jobs INTEGER NOT NULL, is_ended INTEGER NOT NULL, project TEXT NOT NULL, reviewer TEXT NOT NULL, date TEXT NOT "
+    "NULL, command TEXT NOT NULL)",
     "CREATE TABLE names(job INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE)",
     "CREATE TABLE jobs(job INTEGER PRIMARY KEY, name TEXT NOT NULL, command TEXT NOT NULL, path TEXT NOT NULL, "
     "status INTEGER NOT NULL, verdict TEXT NOT NULL, unit TEXT NOT NULL, moves INTEGER NOT NULL, findings INTEGER NOT "

@@ -81,8 +81,10 @@ Outcome ResultStore::begin(const BatchIdentity& batch) {
     if (!has_tables_) make_tables();
     renumber(batch);
     database_.run("DELETE FROM runs");
-    database_.run("INSERT INTO runs VALUES(1, ?, ?, ?, ?, 0)",
-                  {batch.version, batch.build, batch.list, static_cast<std::int64_t>(batch.jobs)});
+    const SignOff& sign_off = batch.sign_off;
+    database_.run("INSERT INTO runs VALUES(1, ?, ?, ?, ?, 0, ?, ?, ?, ?)",
+                  {batch.version, batch.build, batch.list, static_cast<std::int64_t>(batch.jobs), sign_off.project,
+                   sign_off.reviewer, sign_off.date, sign_off.command});
   });
   return begun ? refresh() : begun;
 }
@@ -161,12 +163,17 @@ Result<std::vector<JobResult>> ResultStore::all() {
 Result<BatchIdentity> ResultStore::identity() {
   BatchIdentity batch;
   if (!has_tables_) return batch;
-  database_.each("SELECT version, build, list, jobs FROM runs", {}, [&](const Row& row) {
-    batch.version = row.text(0);
-    batch.build = row.text(1);
-    batch.list = row.text(2);
-    batch.jobs = static_cast<std::size_t>(row.integer(3));
-  });
+  database_.each("SELECT version, build, list, jobs, project, reviewer, date, command FROM runs", {},
+                 [&](const Row& row) {
+                   batch.version = row.text(0);
+                   batch.build = row.text(1);
+                   batch.list = row.text(2);
+                   batch.jobs = static_cast<std::size_t>(row.integer(3));
+                   batch.sign_off.project = row.text(4);
+                   batch.sign_off.reviewer = row.text(5);
+                   batch.sign_off.date = row.text(6);
+                   batch.sign_off.command = row.text(7);
+                 });
   database_.each("SELECT job, name FROM names ORDER BY job", {}, [&](const Row& row) {
     batch.numbers.push_back(static_cast<std::size_t>(row.integer(0)));
     batch.names.push_back(row.text(1));

@@ -19,6 +19,7 @@ struct BatchIdentity {
   std::size_t jobs = 0;              ///< number of jobs in the list
   std::vector<std::size_t> numbers;  ///< numbers of the jobs that are run here, ascending
   std::vector<std::string> names;    ///< names of these jobs
+  SignOff sign_off = {};             ///< the head of the page of the batch
 };
 
 /// A job with a result in the store.

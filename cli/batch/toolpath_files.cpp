@@ -1,0 +1,123 @@
+#include "cli/batch/toolpath_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "cli/output/overwriting.h"
+#include "lib/base/letters.h"
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kOfClData[] = {".apt", ".aptsource", ".as",  ".cl",   ".cld", ".cldata",
+                                          ".cls", ".clsf",      ".clt", ".nccs", ".nci", ".ncl"};
+constexpr std::string_view kOfPrograms[] = {".cnc", ".eia", ".gcode", ".h",   ".iso", ".min",
+                                            ".mpf", ".nc",  ".ngc",   ".ptp", ".spf", ".tap"};
+
+// Returns the ending in small letters, without the number of a version: Creo writes "op10.ncl.1".
+std::string ending_of(const fs::path& file) {
+  const std::string last = file.extension().string();
+  const bool is_version = last.size() > 1 && last.find_first_not_of("0123456789", 1) == std::string::npos;
+  return in_small_letters((is_version ? file.stem().extension().string() : last));
+}
+
+template <std::size_t count>
+bool is_among(const std::string& ending, const std::string_view (&known)[count]) {
+  return std::ranges::find(known, ending) != std::end(known);
+}
+
+std::vector<std::string> toolpaths_in(const std::string& folder, const std::string& output, bool are_programs) {
+  const std::string own = canonical_place(output);
+  std::vector<std::string> files;
+  std::error_code failed;
+  for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+    std::error_code ignored;
+    const bool is_folder = at->is_directory(ignored);
+    const std::string place = at->path().string();
+    if (at->path().filename().string().starts_with('.') || (is_folder && canonical_place(place) == own)) {
+      if (is_folder) at.disable_recursion_pending();
+      continue;
+    }
+    const std::string ending = ending_of(at->path());
+    const bool is_toolpath = are_programs ? is_among(ending, kOfPrograms) : is_among(ending, kOfClData);
+    if (is_toolpath && at->is_regular_file(ignored)) files.push_back(place);
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+template <std::size_t count>
+std::string listed_endings(const std::string_view (&known)[count]) {
+  return listed(std::vector<std::string>(std::begin(known), std::end(known)));
+}
+
+// Returns the stem after the names of its last folders: "rough-op10" for "parts/rough/op10.apt" and one folder.
+std::string name_with_folders(const fs::path& file, std::size_t folders) {
+  std::string name = file.stem().string();
+  for (fs::path at = file.parent_path(); folders > 0 && at.has_filename(); --folders, at = at.parent_path())
+    name = at.filename().string() + "-" + name;
+  return name;
+}
+
+bool are_distinct(std::vector<std::string> names) {
+  std::ranges::sort(names);
+  return std::ranges::adjacent_find(names) == names.end();
+}
+
+// Returns names for files of one stem that tell them apart, if any do.
+std::vector<std::string> names_of_alike(const std::vector<fs::path>& files) {
+  constexpr std::size_t kMaxFolders = 16;
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.filename().string());
+  if (are_distinct(names)) return names;
+  for (std::size_t folders = 1; folders <= kMaxFolders; ++folders) {
+    std::vector<std::string> longer;
+    for (const fs::path& file : files) longer.push_back(name_with_folders(file, folders));
+    if (are_distinct(longer)) return longer;
+  }
+  return names;
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& places, const std::string& output,
+                                                bool are_programs) {
+  std::vector<std::string> all;
+  for (const std::string& place : places) {
+    std::error_code ignored;
+    if (!fs::is_directory(place, ignored)) {
+      all.push_back(place);
+      continue;
+    }
+    const std::vector<std::string> found = toolpaths_in(place, output, are_programs);
+    if (found.empty())
+      return make_error(
+          "usage",
+          "the folder " + printable(place) + " has no toolpath; expected files with an ending such as " +
+              (are_programs ? listed_endings(kOfPrograms) : listed_endings(kOfClData) + " (programs need --control)") +
+              "; name files of other endings themselves");
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+std::vector<std::string> names_of_toolpaths(const std::vector<std::string>& paths) {
+  std::map<std::string, std::vector<std::size_t>> of_stem;
+  for (std::size_t k = 0; k < paths.size(); ++k) of_stem[fs::path(paths[k]).stem().string()].push_back(k);
+  std::vector<std::string> names(paths.size());
+  for (const auto& [stem, places] : of_stem) {
+    std::vector<fs::path> files;
+    for (const std::size_t place : places) files.push_back(fs::absolute(paths[place]).lexically_normal());
+    const std::vector<std::string> given = places.size() == 1 ? std::vector<std::string>{stem} : names_of_alike(files);
+    for (std::size_t k = 0; k < places.size(); ++k) names[places[k]] = given[k];
+  }
+  return names;
+}
+
+}  // namespace gouge

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+
+namespace gouge {
+
+/// Replaces each folder in `places` by the toolpaths in it and below it, sorted by their names. Toolpaths have a known
+/// ending: that of a program of a machine if `are_programs`, else that of CL data. Hidden files and folders, and the
+/// folder `output`, are passed over. Error (code usage): a folder has no toolpath.
+[[nodiscard]] Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& places,
+                                                              const std::string& output, bool are_programs);
+
+/// Returns a name for each toolpath, by which it can be told from the others. It is the name of the file without its
+/// ending. Equal names get the ending, or else the names of the folders that differ: "rough-op10". Names of one file
+/// that is given twice stay equal.
+[[nodiscard]] std::vector<std::string> names_of_toolpaths(const std::vector<std::string>& paths);
+
+}  // namespace gouge

@@ -1,0 +1,64 @@
+#include "cli/batch/toolpath_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+TEST(NamesOfToolpaths, AreStemsWhereTheseDiffer) {
+  EXPECT_EQ(names_of_toolpaths({"ops/op10.apt", "op20.cls"}), (Names{"op10", "op20"}));
+}
+
+TEST(NamesOfToolpaths, GetTheEndingOrTheFoldersThatDiffer) {
+  EXPECT_EQ(names_of_toolpaths({"a/op10.apt", "b/op10.cls"}), (Names{"op10.apt", "op10.cls"}));
+  EXPECT_EQ(names_of_toolpaths({"a/op10.apt", "b/op10.apt", "op20.apt"}), (Names{"a-op10", "b-op10", "op20"}));
+  EXPECT_EQ(names_of_toolpaths({"x/a/op.apt", "y/a/op.apt"}), (Names{"x-a-op", "y-a-op"}));
+}
+
+TEST(NamesOfToolpaths, StayEqualForOneFileGivenTwice) {
+  EXPECT_EQ(names_of_toolpaths({"op.apt", "./op.apt"}), (Names{"op.apt", "op.apt"}));
+}
+
+struct Folder : testing::Test {
+  fs::path root = fs::path(testing::TempDir()) / "gouge_toolpath_files";
+
+  Folder() { fs::remove_all(root); }
+  ~Folder() override { fs::remove_all(root); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  void put(const std::string& name) const {
+    fs::create_directories((root / name).parent_path());
+    std::ofstream(root / name) << "x";
+  }
+};
+
+TEST_F(Folder, HasTheToolpathsInItAndBelowIt) {
+  for (const char* name :
+       {"b.APT", "a/c.ncl.1", "a/part.stl", "tools.json", ".old/d.apt", ".e.apt", "night/corrected/f.apt", "g.ngc"})
+    put(name);
+  const auto found = expand_folders({root.string(), "h.xyz"}, (root / "night").string(), false);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(*found, (Names{root / "a/c.ncl.1", root / "b.APT", "h.xyz"}));
+  const auto programs = expand_folders({root.string()}, (root / "night").string(), true);
+  ASSERT_TRUE(programs);
+  EXPECT_EQ(*programs, (Names{root / "g.ngc"}));
+}
+
+TEST_F(Folder, WithoutToolpathsIsRefused) {
+  put("part.stl");
+  const auto found = expand_folders({root.string()}, "night", false);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, "usage");
+  EXPECT_NE(found.error().message.find("has no toolpath; expected files with an ending such as .apt"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge
