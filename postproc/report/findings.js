@@ -51,7 +51,7 @@
   if (document.getElementById("review-data")) addChoice("any review", row => row.dataset.review ?? "open", ["open", "to fix", "question", "accepted"]);
   addChoice("any tool", row => row.dataset.tool);
   addChoice("any body", row => row.dataset.body);
-  addChoice("any operation", row => text(row, at.operation));
+  if (at.operation >= 0) addChoice("any operation", row => text(row, at.operation));
   const least = document.createElement("input"), label = document.createElement("label"), counts = document.createElement("span");
   least.type = "number";
   least.min = "0";

@@ -36,9 +36,10 @@ class FindingsTable {
     if (events.empty()) return {};
     std::ranges::sort(events, {}, [&](const Event* event) { return numbers_[index_of(*event)]; });
     std::vector<HtmlColumn> columns = {
-        {"No.", "n"},     {"State"},    {"Line", "n"}, {"Depth", "n"},
-        {"Overcut", "n"}, {"Body"},     {"Against"},   {"At, in " + std::string(unit_words(unit_))},
-        {"Moves", "n"},   {"Operation"}};
+        {"No.", "n"},     {"State"}, {"Line", "n"}, {"Depth", "n"},
+        {"Overcut", "n"}, {"Body"},  {"Against"},   {"At, in " + std::string(unit_words(unit_))},
+        {"Moves", "n"}};
+    if (has_operations()) columns.push_back({"Operation"});
     if (model_.cure_options) columns.push_back({"Cured by"});
     if (model_.baseline.is_given()) columns.push_back({"Acceptance"});
     if (!review_.empty()) columns.push_back({"Review"});
@@ -92,8 +93,10 @@ class FindingsTable {
   // Returns the reason of an acceptance, or why one does not hold.
   [[nodiscard]] std::string acceptance_cell(std::size_t event) const {
     if (!model_.baseline.is_given()) return {};
-    return html_cell(listed(acceptance_remarks(model_, event), "; "));
+    return html_cell(listed(acceptance_remarks(model_, event), "; "), "why");
   }
+
+  [[nodiscard]] bool has_operations() const { return !model_.toolpath->operations.empty(); }
 
   [[nodiscard]] std::string row(const Event& event) const {
     const MoveVerdict& verdict = model_.result->verdicts[event.worst_move];
@@ -117,9 +120,10 @@ class FindingsTable {
            html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
            html_cell(against) +
            html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
-           html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + cures_cell(event) +
-           acceptance_cell(index_of(event)) + (review_.empty() ? "" : "<td class=\"review\"></td>") +
-           "<td class=\"k\">" + link(event) + "</td>";
+           html_cell(span, "n") +
+           (has_operations() ? html_cell(operation_name(*model_.toolpath, move.operation)) : std::string()) +
+           cures_cell(event) + acceptance_cell(index_of(event)) +
+           (review_.empty() ? "" : "<td class=\"review\"></td>") + "<td class=\"k\">" + link(event) + "</td>";
   }
 
   [[nodiscard]] std::string cures_cell(const Event& event) const {

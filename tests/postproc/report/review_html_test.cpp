@@ -48,7 +48,8 @@ TEST(Acceptances, HaveAColumnWithTheirReasons) {
   const AcceptedReport report("path.apt");
   const std::string html = write_html(report.model, {});
   EXPECT_TRUE(contains(html, "<th>Acceptance</th>"));
-  EXPECT_TRUE(contains(html, "<td>accepted by R. Miller on 2026-11-23: ground &lt;afterwards&gt;</td>")) << html;
+  EXPECT_TRUE(contains(html, "<td class=\"why\">accepted by R. Miller on 2026-11-23: ground &lt;afterwards&gt;</td>"))
+      << html;
   EXPECT_FALSE(contains(write_html(SmallReport().model, {}), "<th>Acceptance</th>"));
 }
 
