@@ -91,12 +91,16 @@ Path::Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<con
 }
 
 Path Path::read(const std::string& file, const std::string& unit) {
+  return from_text(value_or_raise(gouge::read_file(file)), file, unit);
+}
+
+Path Path::from_text(std::string text, const std::string& name, const std::string& unit) {
   const auto known = gouge::unit_called(unit);
   const bool is_of_path = known == gouge::LengthUnit::mm || known == gouge::LengthUnit::inch;
-  if (!unit.empty() && !is_of_path) raise(gouge::make_error("usage", "unit '" + unit + "': expected mm or inch", file));
+  if (!unit.empty() && !is_of_path) raise(gouge::make_error("usage", "unit '" + unit + "': expected mm or inch", name));
   gouge::ReadOptions options;
   options.unit = known;
-  return PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), options);
+  return PathAccess::with_read_unit(PathAccess::from_bytes(name, std::move(text), options), unit);
 }
 
 Path PathAccess::from_bytes(const std::string& name, std::string bytes, const gouge::ReadOptions& options) {
@@ -110,6 +114,12 @@ Path PathAccess::of_machine(const Path& path, std::string machine, std::string j
   auto content = std::make_shared<Path::Content>(path.content());
   content->machine = std::move(machine);
   content->joint_rapid_law = std::move(joint_rapid_law);
+  return Path(std::move(content));
+}
+
+Path PathAccess::with_read_unit(const Path& path, std::string unit) {
+  auto content = std::make_shared<Path::Content>(path.content());
+  content->read_unit = std::move(unit);
   return Path(std::move(content));
 }
 

@@ -1,49 +1,15 @@
 #include <gougecheck/report.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
-#include "cli/library/checked_path.h"
+#include "cli/library/report_content.h"
+#include "cli/library/report_findings.h"
 #include "lib/base/files.h"
 #include "postproc/report/write_report.h"
 
 namespace gougecheck {
-
-struct Report::Content {
-  CheckedPath checked;
-  gouge::CheckResult result;
-  std::vector<State> state;
-  std::vector<double> depth, depth_upper, t, overcut;
-  std::vector<Vec3> point, normal;
-  std::vector<std::int64_t> triangle;
-  std::vector<std::int32_t> mesh;
-  std::vector<std::int8_t> body, is_fixture;
-
-  Content(CheckedPath checked_path, gouge::CheckResult check_result)
-      : checked(std::move(checked_path)), result(std::move(check_result)) {
-    for (const gouge::MoveVerdict& verdict : result.verdicts) add(verdict);
-  }
-
-  void add(const gouge::MoveVerdict& verdict) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const bool has_depth = verdict.state != gouge::MoveState::buried && verdict.state != gouge::MoveState::not_checked;
-    state.push_back(static_cast<State>(verdict.state));
-    depth.push_back(has_depth ? verdict.depth_mm : kNone);
-    depth_upper.push_back(has_depth ? verdict.depth_upper_mm : kNone);
-    overcut.push_back(verdict.overcut_mm.value_or(kNone));
-    const auto& witness = verdict.witness;
-    t.push_back(witness ? witness->t : kNone);
-    point.push_back(witness ? to_array(witness->point) : Vec3{kNone, kNone, kNone});
-    normal.push_back(witness ? to_array(witness->normal) : Vec3{kNone, kNone, kNone});
-    triangle.push_back(witness ? static_cast<std::int64_t>(witness->triangle) : -1);
-    mesh.push_back(witness ? static_cast<std::int32_t>(witness->mesh) : -1);
-    body.push_back(witness ? static_cast<std::int8_t>(witness->body) : std::int8_t{-1});
-    const bool fixture = witness && witness->against == gouge::Against::fixture;
-    is_fixture.push_back(witness ? static_cast<std::int8_t>(fixture ? 1 : 0) : std::int8_t{-1});
-  }
-};
-
 namespace {
 
 struct Form {
@@ -57,18 +23,66 @@ std::string all_findings(const gouge::ReportModel& model) { return gouge::findin
 constexpr Form kForms[] = {{".json", gouge::write_json}, {".csv", gouge::write_csv}, {".sarif", gouge::write_sarif},
                            {".xml", gouge::write_junit}, {".html", html_alone},      {".txt", all_findings}};
 
-const Form& form_of(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  for (const Form& form : kForms) {
-    if (form.extension == extension) return form;
+Verdict verdict_of(const CheckedResult& run) { return static_cast<Verdict>(gouge::overall_verdict(run.result)); }
+
+std::array<std::size_t, kStates> counts_of(const gouge::StateCounts& n) {
+  return {n.clean, n.near_miss, n.gouge, n.buried, n.not_checked, n.not_certified};
+}
+
+std::vector<Assumption> assumptions_of(const gouge::CheckResult& result) {
+  std::vector<Assumption> all;
+  for (const gouge::Assumption& fact : result.assumptions) {
+    all.push_back({gouge::subject_name(fact.subject), fact.object, gouge::basis_name(fact.basis), fact.is_open,
+                   fact.value, fact.evidence, fact.remedy});
   }
+  return all;
+}
+
+std::string form_in(const Report::Content& content, const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  std::optional<std::string> form;
+  if (content.run) {
+    form = form_of(content.run->model(), extension);
+  } else if (const auto found = content.saved->forms.find(extension); found != content.saved->forms.end()) {
+    form = found->second;
+  }
+  if (form) return std::move(*form);
   raise(gouge::make_error("usage", "extension '" + extension + "': expected .json, .csv, .sarif, .xml, .html or .txt",
                           file));
 }
 
 }  // namespace
 
-const char* state_name(State state) { return gouge::state_name(static_cast<gouge::MoveState>(state)); }
+const char* state_name(State state) {
+  if (static_cast<std::size_t>(state) >= kStates)
+    raise(gouge::make_error(
+        "usage", "state " + std::to_string(static_cast<int>(state)) + ": expected one of State, which has 0 to 5"));
+  return gouge::state_name(static_cast<gouge::MoveState>(state));
+}
+
+std::optional<std::string> form_of(const gouge::ReportModel& model, const std::string& extension) {
+  const auto form = std::ranges::find(kForms, extension, &Form::extension);
+  return form == std::end(kForms) ? std::nullopt : std::optional(form->write(model));
+}
+
+ReportFacts facts_of(const CheckedResult& run) {
+  const gouge::ReportModel model = run.model();
+  ReportFacts facts;
+  facts.verdict = verdict_of(run);
+  facts.counts = counts_of(run.result.counts);
+  facts.worst_depth = run.result.worst_depth_mm;
+  for (std::size_t move = 0; move < run.result.verdicts.size(); ++move) {
+    std::string reason = gouge::reason_text(run.result.verdicts[move].reason);
+    if (!reason.empty()) facts.reasons.emplace(move, std::move(reason));
+  }
+  facts.assumptions = assumptions_of(run.result);
+  facts.notes = to_notes(model.notes);
+  facts.findings = findings_of(run.checked, run.result);
+  facts.text = gouge::findings_text(model);
+  for (const Form& form : kForms) facts.forms.emplace(form.extension, form.write(model));
+  facts.inputs = run.checked.inputs();
+  return facts;
+}
 
 Report::Report(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
@@ -78,28 +92,17 @@ Report make_report(CheckedPath checked, gouge::CheckResult result) {
 
 std::size_t Report::size() const { return content_->state.size(); }
 
-Verdict Report::verdict() const { return static_cast<Verdict>(gouge::overall_verdict(content_->result)); }
+Verdict Report::verdict() const { return content_->run ? verdict_of(*content_->run) : content_->saved->verdict; }
 
 std::size_t Report::count(State state) const {
-  const gouge::StateCounts& counts = content_->result.counts;
-  switch (state) {
-    case State::clean:
-      return counts.clean;
-    case State::near_miss:
-      return counts.near_miss;
-    case State::gouge:
-      return counts.gouge;
-    case State::buried:
-      return counts.buried;
-    case State::not_checked:
-      return counts.not_checked;
-    case State::not_certified:
-      return counts.not_certified;
-  }
-  return 0;
+  const auto index = static_cast<std::size_t>(state);
+  if (index >= kStates) return 0;
+  return content_->run ? counts_of(content_->run->result.counts)[index] : content_->saved->counts[index];
 }
 
-double Report::worst_depth() const { return content_->result.worst_depth_mm; }
+double Report::worst_depth() const {
+  return content_->run ? content_->run->result.worst_depth_mm : content_->saved->worst_depth;
+}
 std::span<const State> Report::state() const { return content_->state; }
 std::span<const double> Report::depth() const { return content_->depth; }
 std::span<const double> Report::depth_upper() const { return content_->depth_upper; }
@@ -113,29 +116,36 @@ std::span<const std::int8_t> Report::is_fixture() const { return content_->is_fi
 std::span<const double> Report::overcut() const { return content_->overcut; }
 
 std::string Report::reason(std::size_t move) const {
-  return move < size() ? gouge::reason_text(content_->result.verdicts[move].reason) : std::string();
+  if (move >= size()) return {};
+  if (content_->run) return gouge::reason_text(content_->run->result.verdicts[move].reason);
+  const auto found = content_->saved->reasons.find(move);
+  return found == content_->saved->reasons.end() ? std::string() : found->second;
+}
+
+std::vector<Finding> Report::findings() const {
+  return content_->run ? findings_of(content_->run->checked, content_->run->result) : content_->saved->findings;
 }
 
 std::vector<Assumption> Report::assumptions() const {
-  std::vector<Assumption> all;
-  for (const gouge::Assumption& fact : content_->result.assumptions) {
-    all.push_back({gouge::subject_name(fact.subject), fact.object, gouge::basis_name(fact.basis), fact.is_open,
-                   fact.value, fact.evidence, fact.remedy});
-  }
-  return all;
+  return content_->run ? assumptions_of(content_->run->result) : content_->saved->assumptions;
 }
 
-std::vector<Note> Report::notes() const { return to_notes(content_->checked.model(content_->result).notes); }
-std::string Report::text() const { return gouge::findings_text(content_->checked.model(content_->result)); }
+std::vector<Note> Report::notes() const {
+  return content_->run ? to_notes(content_->run->model().notes) : content_->saved->notes;
+}
+
+std::string Report::text() const {
+  return content_->run ? gouge::findings_text(content_->run->model()) : content_->saved->text;
+}
 
 void Report::write(const std::string& file) const {
-  const Form& form = form_of(file);
-  for (const std::string& input : content_->checked.inputs()) {
+  const std::string bytes = form_in(*content_, file);
+  for (const std::string& input : content_->run ? content_->run->checked.inputs() : content_->saved->inputs) {
     std::error_code none;
     if (std::filesystem::equivalent(input, file, none))
       raise(gouge::make_error("usage", "the report would overwrite an input; expected another file", file));
   }
-  value_or_raise(gouge::write_file(file, form.write(content_->checked.model(content_->result))));
+  value_or_raise(gouge::write_file(file, bytes));
 }
 
 }  // namespace gougecheck

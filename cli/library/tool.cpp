@@ -7,6 +7,8 @@
 #include "cli/library/content.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
+#include "lib/check/reach.h"
+#include "toolmodels/import/import_tools.h"
 #include "toolmodels/import/read_any_tools.h"
 
 namespace gougecheck {
@@ -40,15 +42,31 @@ const gouge::ToolAssembly& tool_called(const gouge::ToolLibrary& library, std::s
                           library.file));
 }
 
+gouge::ImportOptions import_options(const ImportFacts& facts, const std::string& file, std::string_view bytes) {
+  gouge::ImportOptions options;
+  if (!facts.stickout && facts.unit.empty()) return options;
+  if (!gouge::recognise_format(bytes))
+    raise(gouge::make_error("usage",
+                            "stickout and unit are facts about a library of another program; this file is none", file));
+  options.unit = gouge::unit_called(facts.unit);
+  const bool is_unit = options.unit == gouge::LengthUnit::mm || options.unit == gouge::LengthUnit::inch;
+  if (!facts.unit.empty() && !is_unit)
+    raise(gouge::make_error("usage", "unit '" + facts.unit + "': expected mm or inch", file));
+  if (facts.stickout && !(*facts.stickout > 0 && *facts.stickout <= gouge::kFarthest_mm))
+    raise(gouge::make_error("usage", "stickout: expected a length above 0, in mm", file));
+  options.stickout_mm = facts.stickout;
+  return options;
+}
+
 }  // namespace
 
 Tool::Tool(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
 Tool::Tool(std::string_view shape, const std::map<std::string, double>& dimensions,
-           const std::vector<ToolSegment>& shank, const std::vector<ToolSegment>& holder) {
+           const std::vector<ToolSegment>& shank, const std::vector<ToolSegment>& holder, std::string_view name) {
   ordered_json cutter = {{"shape", shape}};
-  for (const auto& [name, value] : dimensions) cutter[name] = value;
-  ordered_json tool = {{"name", shape}, {"cutter", cutter}};
+  for (const auto& [dimension, value] : dimensions) cutter[dimension] = value;
+  ordered_json tool = {{"name", name.empty() ? shape : name}, {"cutter", cutter}};
   if (!shank.empty()) tool["shank"] = segments_json(shank);
   if (!holder.empty()) tool["holder"] = segments_json(holder);
   gouge::ToolLibrary library = library_of(tool, "mm");
@@ -85,15 +103,27 @@ std::string Tool::to_json() const {
 
 ToolLibrary::ToolLibrary(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 
-ToolLibrary ToolLibrary::read(const std::string& file) {
+ToolLibrary ToolLibrary::read(const std::string& file, const ImportFacts& facts) {
   const std::string bytes = value_or_raise(gouge::read_file(file));
-  gouge::ReadTools read = value_or_raise(gouge::read_any_tools(file, bytes, gouge::kMaxInputBytes));
+  const gouge::ImportOptions options = import_options(facts, file, bytes);
+  gouge::ReadTools read = value_or_raise(gouge::read_any_tools(file, bytes, gouge::kMaxInputBytes, options));
   return ToolLibrary(std::make_shared<Content>(Content{std::move(read.library), file}));
 }
 
 ToolLibrary ToolLibrary::from_json(std::string_view json, const std::string& name) {
   return ToolLibrary(std::make_shared<Content>(Content{value_or_raise(gouge::read_tool_library(name, json)), {}}));
 }
+
+ToolLibrary::ToolLibrary(const std::vector<Tool>& tools) {
+  gouge::ToolLibrary library;
+  for (const Tool& tool : tools) library.tools.push_back(tool.content().assembly);
+  // Reads it as a file, so that the same rules hold.
+  content_ = from_json(gouge::write_tool_library(library)).content_;
+}
+
+bool ToolLibrary::has(std::string_view name) const { return content_->library.called(name) != nullptr; }
+std::vector<Note> ToolLibrary::notes() const { return to_notes(content_->library.notes); }
+std::string ToolLibrary::to_json() const { return gouge::write_tool_library(content_->library); }
 
 std::vector<Tool> ToolLibrary::tools() const {
   std::vector<Tool> all;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <gougecheck/version.h>
@@ -33,7 +34,9 @@ std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis) {
   const gouge::Vec3 direction = to_vector(axis), point = to_vector(tip);
   const double length = direction.norm();
   if (!std::isfinite(length) || !(length > 0) || !gouge::is_within_reach(point)) return std::nullopt;
-  const gouge::Vec3 unit = direction / length;
+  // Keeps the digits of a vector that has unit length already, such as an axis of another path.
+  constexpr double kUnit = 4 * std::numeric_limits<double>::epsilon();
+  const gouge::Vec3 unit = std::abs(length - 1) <= kUnit ? direction : gouge::Vec3(direction / length);
   // A vector whose length overflows or underflows has no exact digits left.
   if (std::abs(unit.norm() - 1) > gouge::Tolerance::kRounding) return std::nullopt;
   return gouge::Pose{point, unit};

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "lib/base/file_kind.h"
-#include "toolmodels/import/import_tools.h"
 #include "toolmodels/import/json_entry.h"
 
 namespace gouge {
@@ -50,9 +49,8 @@ std::string with_remedy(const Diagnostic& diagnostic, const std::string& file) {
 }
 
 Result<ReadTools> read_imported(const std::string& file, std::string_view bytes, ImportFormat format,
-                                std::uint64_t max_bytes) {
+                                std::uint64_t max_bytes, ImportOptions options) {
   ReadTools read;
-  ImportOptions options;
   options.read_beside = [&](const std::string& name) -> Result<std::string> {
     Result<BesideFile> beside = read_beside(file, name, max_bytes);
     if (!beside) return beside.error();
@@ -85,9 +83,10 @@ Result<ReadTools> read_imported(const std::string& file, std::string_view bytes,
 
 }  // namespace
 
-Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes) {
+Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes,
+                                 const ImportOptions& facts) {
   if (const std::optional<ImportFormat> format = recognise_format(bytes))
-    return read_imported(file, bytes, *format, max_bytes);
+    return read_imported(file, bytes, *format, max_bytes, facts);
   if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign(file, bytes), file);
   const Result<JsonFile> json = parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
   if (json && !is_ours(json->root))

@@ -7,6 +7,7 @@
 
 #include "lib/base/result.h"
 #include "toolmodels/import/collector.h"
+#include "toolmodels/import/import_tools.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -17,13 +18,14 @@ struct ReadTools {
 };
 
 /// Reads a tool library of this project, or imports one of another program. The reports of the importer are in the
-/// notes of the library; a tool that the importer leaves out is a warning there.
+/// notes of the library; a tool that the importer leaves out is a warning there. `facts` holds for imports; files beside
+/// the library are read in any case.
 ///
 /// Errors   (1) Those of read_tool_library and import_tools. (2) library-foreign: a file of another kind, which the
 ///          message names, with advice. (3) library-empty: no tool of the file can be imported; the message has the
 ///          first reason.
-[[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes,
-                                               std::uint64_t max_bytes);
+[[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes,
+                                               const ImportOptions& facts = {});
 
 [[nodiscard]] bool is_zip(std::string_view bytes);
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gougecheck/types.h>
@@ -35,6 +36,11 @@ class GOUGECHECK_EXPORT Mesh {
   [[nodiscard]] bool is_solid() const;
   /// Returns warnings: open edges, wrong orientations, triangles left out.
   [[nodiscard]] std::vector<Note> notes() const;
+
+  /// Returns the mesh for `from_bytes` of this version, in this or another process. The index is not part of it.
+  [[nodiscard]] std::string to_bytes() const;
+  /// Throws   Error: saved-bytes.
+  [[nodiscard]] static Mesh from_bytes(std::string_view bytes);
 
   struct Content;
   [[nodiscard]] const Content& content() const { return *content_; }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gougecheck/types.h>
@@ -47,6 +48,9 @@ class GOUGECHECK_EXPORT Path {
   ///          file.
   [[nodiscard]] static Path read(const std::string& file, const std::string& unit = "");
 
+  /// Reads CL data from memory. `name` stands for the file in messages and reports.
+  [[nodiscard]] static Path from_text(std::string text, const std::string& name, const std::string& unit = "");
+
   /// Reads a program of a machine's control as the control runs it. A check of a program that turns rotary joints needs
   /// the machine with which it was read, with the same joints, zero and tool length.
   /// Throws   Error: the first error of the options or of the program (docs/formats/gcode.md).
@@ -63,6 +67,12 @@ class GOUGECHECK_EXPORT Path {
 
   /// Returns the bytes of the file. For a path from memory, returns APT that reads back as the same positions.
   [[nodiscard]] std::string text() const;
+
+  /// Returns the path for `from_bytes` of this version, in this or another process.
+  /// Throws   Error: path-not-saved, for a program of a control and for the path of a Correction.
+  [[nodiscard]] std::string to_bytes() const;
+  /// Throws   Error: saved-bytes.
+  [[nodiscard]] static Path from_bytes(std::string_view bytes);
 
   struct Content;
   [[nodiscard]] const Content& content() const { return *content_; }

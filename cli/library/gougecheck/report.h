@@ -1,8 +1,11 @@
 #pragma once
 
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gougecheck/types.h>
@@ -25,6 +28,25 @@ enum class Body : std::uint8_t { cutter, shank, holder, head };
 /// Verdict on a whole path. It is `gouges` if a move gouges or is buried. It is `clean` if every move is clean or near,
 /// and none of the facts on which this rests is open.
 enum class Verdict : std::uint8_t { clean, gouges, not_fully_checked };
+
+/// Neighbouring moves with one cause, or all moves that could not be checked or certified for one reason. The data are
+/// those of its worst move, or of its first one if it was not checked. Lengths in mm.
+struct Finding {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  State state = State::gouge;
+  std::size_t move = 0, moves = 0;  ///< index of the move; number of moves
+  std::size_t line = 0;             ///< in the file; for a path from memory the number of the move, from 1
+  double depth = kNone, depth_upper = kNone, overcut = kNone;  ///< as in Report; NaN: none
+  double clearance = kNone;                                    ///< distance of a near miss; else NaN
+  double t = kNone;                                            ///< instant of the witness; NaN: there is no witness
+  std::optional<Body> body;                                    ///< none: the whole tool
+  std::string against;                     ///< name of the mesh, or "stock"; empty: there is no witness
+  std::string tool, operation;             ///< number of the tool, else its name; empty: none is named
+  Vec3 tip = {0, 0, 0}, axis = {0, 0, 1};  ///< the tool at the instant `t`, or at the end of the move
+  std::optional<Vec3> point, normal;       ///< of the witness, as in Report
+  std::string message;                     ///< one line, without the place, in the unit of the path
+};
 
 /// Result of a check: one entry for each move, in order, as a structure of arrays. For every move depth <= true depth
 /// <= depth_upper. Immutable; spans are valid as long as a copy of the report exists.
@@ -56,6 +78,8 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::span<const double> overcut() const;
   /// Returns why a move is not checked, not certified or buried. For other moves it is empty or a remark.
   [[nodiscard]] std::string reason(std::size_t move) const;
+  /// Returns the gouges, buried tools and near misses in the order of the path, then the reasons of open moves.
+  [[nodiscard]] std::vector<Finding> findings() const;
   /// Returns the facts on which the verdict rests. It is clean only if none of them is open.
   [[nodiscard]] std::vector<Assumption> assumptions() const;
   /// Returns exceptions to the verdict, and warnings about the inputs.
@@ -67,6 +91,11 @@ class GOUGECHECK_EXPORT Report {
   /// pictures), .txt. The file appears complete or not at all.
   /// Throws   Error: another extension; a file that was read for this report; file-unwritable.
   void write(const std::string& file) const;
+
+  /// Returns the report for `from_bytes` of this version, in this or another process. It has all that is written.
+  [[nodiscard]] std::string to_bytes() const;
+  /// Throws   Error: saved-bytes.
+  [[nodiscard]] static Report from_bytes(std::string_view bytes);
 
   struct Content;
   explicit Report(std::shared_ptr<const Content> content);

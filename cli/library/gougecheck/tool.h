@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,11 @@ struct ToolSegment {
 class GOUGECHECK_EXPORT Tool {
  public:
   /// Builds a tool with the names of docs/formats/tool_library.md: Tool("ball", {{"diameter", 10}, {"length", 30}}).
+  /// An empty `name` stands for the shape.
   /// Throws   Error: an unknown shape or dimension, or a dimension that is missing or contradicts another.
   Tool(std::string_view shape, const std::map<std::string, double>& dimensions,
-       const std::vector<ToolSegment>& shank = {}, const std::vector<ToolSegment>& holder = {});
+       const std::vector<ToolSegment>& shank = {}, const std::vector<ToolSegment>& holder = {},
+       std::string_view name = {});
 
   /// Reads the JSON of one tool ({"units": "mm", "cutter": {...}, ...}) or of a library. For a library, `name` selects
   /// the tool by name or number; empty: its only one.
@@ -44,16 +47,36 @@ class GOUGECHECK_EXPORT Tool {
   std::shared_ptr<const Content> content_;
 };
 
+/// Facts that a library of another program may leave open.
+struct ImportFacts {
+  std::optional<double> stickout;  ///< mm, tip to holder, of tools whose file does not state it
+  std::string unit;                ///< mm or inch, of an NX library that states none
+};
+
 /// The tools for paths that call several, by number or name. Immutable.
 class GOUGECHECK_EXPORT ToolLibrary {
  public:
-  /// Reads a library. Throws   Error: those of the tool library.
-  [[nodiscard]] static ToolLibrary read(const std::string& file);
+  /// Reads a library of this project, Fusion, FreeCAD or NX, recognised by its content.
+  /// Throws   Error: those of the tool library and of imports (docs/formats/tool_import.md). Code usage: facts for a
+  ///          library of this project, which states them.
+  [[nodiscard]] static ToolLibrary read(const std::string& file, const ImportFacts& facts = {});
   [[nodiscard]] static ToolLibrary from_json(std::string_view json, const std::string& name = "tools");
+
+  /// Builds a library. Throws   Error: those of the tool library, such as two tools with one number.
+  explicit ToolLibrary(const std::vector<Tool>& tools);
 
   [[nodiscard]] std::vector<Tool> tools() const;
   /// Returns a tool by name, or by number written 3 or T3. Throws Error, library-which, if there is none.
   [[nodiscard]] Tool tool(std::string_view name) const;
+  [[nodiscard]] bool has(std::string_view name) const;  ///< whether `tool` returns one
+  [[nodiscard]] std::vector<Note> notes() const;        ///< what the reader assumed or left out
+  /// Returns the text of a library file of this project that reads back as the same tools.
+  [[nodiscard]] std::string to_json() const;
+
+  /// Returns the library for `from_bytes` of this version, in this or another process.
+  [[nodiscard]] std::string to_bytes() const;
+  /// Throws   Error: saved-bytes.
+  [[nodiscard]] static ToolLibrary from_bytes(std::string_view bytes);
 
   struct Content;
   [[nodiscard]] const Content& content() const { return *content_; }
