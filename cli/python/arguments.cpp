@@ -34,6 +34,16 @@ std::string text_of(const py::handle& object, const std::string& name) {
   return object.cast<std::string>();
 }
 
+std::size_t index_of(const py::handle& object, const std::string& name, const std::string& wanted, std::size_t most) {
+  if (py::isinstance<py::bool_>(object) || !py::hasattr(object, "__index__")) refuse_argument(name, wanted, object);
+  const std::size_t value = PyLong_AsSize_t(py::object(object.attr("__index__")()).ptr());
+  const bool is_too_large = PyErr_Occurred() != nullptr;
+  PyErr_Clear();
+  if (is_too_large || value > most)
+    throw py::index_error(name + ": expected " + wanted + ", got " + std::string(py::str(object)));
+  return value;
+}
+
 std::string file_of(const py::handle& object, const std::string& name) {
   if (py::isinstance<py::str>(object)) return object.cast<std::string>();
   if (!py::isinstance<py::bytes>(object) && !py::hasattr(object, "__fspath__"))
@@ -51,7 +61,30 @@ std::vector<Mesh> meshes_of(const py::handle& object, const std::string& name, c
 }
 
 Keywords::Keywords(std::string function, const py::kwargs& given)
-    : function_(std::move(function)), left_(given.attr("copy")()) {}
+    : Keywords(std::move(function), {}, py::args(), given) {}
+
+Keywords::Keywords(std::string function, const std::vector<const char*>& names, const py::args& args,
+                   const py::kwargs& given)
+    : function_(std::move(function)), left_(given.attr("copy")()) {
+  for (const char* name : names) positions_ += (positions_.empty() ? "" : ", ") + std::string(name);
+  if (args.size() > names.size()) {
+    const std::string most = names.empty() ? "only arguments with their names, such as name=value"
+                                           : "at most " + std::to_string(names.size()) +
+                                                 " arguments without their names (" + positions_ + ")";
+    throw py::type_error(function_ + "() takes " + most + "; got " + std::to_string(args.size()));
+  }
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    if (left_.contains(names[i]))
+      throw py::type_error(function_ + "() got '" + names[i] + "' twice, without its name and with it");
+    left_[names[i]] = args[i];
+  }
+}
+
+py::object Keywords::required(const char* name) {
+  if (!left_.contains(name))
+    throw py::type_error(function_ + "() needs '" + name + "'; its first arguments are " + positions_);
+  return object(name);
+}
 
 py::object Keywords::object(const char* name) {
   known_.emplace_back(name);
@@ -112,7 +145,7 @@ void Keywords::finish() const {
   const std::string name = py::str(left_.begin()->first);
   std::string known;
   for (const std::string& one : known_) known += (known.empty() ? "" : ", ") + one;
-  throw py::type_error(function_ + "() has no keyword '" + name + "'; it has " + known);
+  throw py::type_error(function_ + "() has no keyword '" + name + "'; it has " + (known.empty() ? "none" : known));
 }
 
 }  // namespace gougecheck::python

@@ -21,6 +21,9 @@ namespace py = pybind11;
 [[nodiscard]] double number_of(const py::handle& object, const std::string& name);
 /// Returns the text of a str.
 [[nodiscard]] std::string text_of(const py::handle& object, const std::string& name);
+/// Returns a whole number of 0 to `most`; `wanted` describes it.
+[[nodiscard]] std::size_t index_of(const py::handle& object, const std::string& name, const std::string& wanted,
+                                   std::size_t most);
 /// Returns the path in a str or an object with __fspath__.
 [[nodiscard]] std::string file_of(const py::handle& object, const std::string& name = "file");
 /// Returns the meshes of a Mesh or a sequence of them.
@@ -33,10 +36,14 @@ template <class T>
   return object.cast<const T&>();
 }
 
-/// The keywords of one call of `function`. Each is taken by its name; `finish` refuses the rest.
+/// The arguments of one call of `function`. Each is taken by its name; `finish` refuses the rest.
 class Keywords {
  public:
+  /// Takes a call whose arguments all have their names.
   Keywords(std::string function, const py::kwargs& given);
+  /// Takes a call whose first arguments may stand without their names, in the order of `names`. Throws a TypeError if
+  /// there are more of them, or if one is given twice.
+  Keywords(std::string function, const std::vector<const char*>& names, const py::args& args, const py::kwargs& given);
 
   [[nodiscard]] double number(const char* name, double otherwise);
   [[nodiscard]] std::optional<double> number_or_none(const char* name);
@@ -46,6 +53,8 @@ class Keywords {
   [[nodiscard]] bool flag(const char* name, bool otherwise);
   /// Returns a whole number of 0 or more.
   [[nodiscard]] unsigned count(const char* name, unsigned otherwise);
+  /// Returns the object unchanged. Throws a TypeError if it is not given.
+  [[nodiscard]] py::object required(const char* name);
   /// Returns the object unchanged; None if it is not given.
   [[nodiscard]] py::object object(const char* name);
 
@@ -54,6 +63,7 @@ class Keywords {
 
  private:
   std::string function_;
+  std::string positions_;  // the names of `names`, with commas
   py::dict left_;
   std::vector<std::string> known_;
 };

@@ -49,8 +49,18 @@ Scene scene_of(const py::object& part, const py::object& fixtures) {
   return Scene(std::move(parts), has_fixtures ? meshes_of(fixtures, "fixtures") : std::vector<Mesh>());
 }
 
-Asked asked(const py::object& path, const py::object& part, const py::object& tool, const py::object& fixtures,
-            const CheckOptions& options) {
+const std::vector<const char*> kFirst = {"path", "part", "tool"};
+
+/// The first arguments, in their order.
+struct First {
+  py::object path, part, tool;
+
+  explicit First(Keywords& keywords)
+      : path(keywords.required(kFirst[0])), part(keywords.required(kFirst[1])), tool(keywords.required(kFirst[2])) {}
+};
+
+Asked asked(const First& first, const py::object& fixtures, const CheckOptions& options) {
+  const auto& [path, part, tool] = first;
   const Path& its_path = bound<Path>(path, "path", "a Path (read_toolpath(file) makes one)");
   const bool is_tool = py::isinstance<Tool>(tool);
   const ToolLibrary* library = is_tool ? nullptr : &bound<ToolLibrary>(tool, "tool", "a Tool or a ToolLibrary");
@@ -133,21 +143,22 @@ std::optional<Stock> take_stock(Keywords& keywords) {
   return stock;
 }
 
-Report run_check(const py::object& path, const py::object& part, const py::object& tool, const py::kwargs& given) {
-  Keywords keywords("check", given);
+Report run_check(const py::args& args, const py::kwargs& given) {
+  Keywords keywords("check", kFirst, args, given);
+  const First first(keywords);
   const py::object fixtures = keywords.object("fixtures");
   CheckOptions options = take_options(keywords);
   options.near_miss = keywords.number("near_miss", options.near_miss);
   options.stock = take_stock(keywords);
   keywords.finish();
-  const Asked a = asked(path, part, tool, fixtures, options);
+  const Asked a = asked(first, fixtures, options);
   const py::gil_scoped_release release;
   return a.tool != nullptr ? check(a.path, a.scene, *a.tool, a.options) : check(a.path, a.scene, *a.library, a.options);
 }
 
-Correction run_correct(const py::object& path, const py::object& part, const py::object& tool,
-                       const py::kwargs& given) {
-  Keywords keywords("correct", given);
+Correction run_correct(const py::args& args, const py::kwargs& given) {
+  Keywords keywords("correct", kFirst, args, given);
+  const First first(keywords);
   const py::object fixtures = keywords.object("fixtures");
   CorrectOptions how;
   how.strategy = keywords.text("strategy", how.strategy);
@@ -157,27 +168,30 @@ Correction run_correct(const py::object& path, const py::object& part, const py:
   how.rapid_clearance = keywords.number("rapid_clearance", how.rapid_clearance);
   const CheckOptions options = take_options(keywords);
   keywords.finish();
-  const Asked a = asked(path, part, tool, fixtures, options);
+  const Asked a = asked(first, fixtures, options);
   const py::gil_scoped_release release;
   return a.tool != nullptr ? correct(a.path, a.scene, *a.tool, a.options, how)
                            : correct(a.path, a.scene, *a.library, a.options, how);
 }
 
 void bind_corrections(py::module_& module) {
-  py::class_<Change>(module, "Change", "A position that was changed or added.")
-      .def_readonly("move", &Change::move, "Of the path as it was.")
+  auto change = py::class_<Change>(module, "Change", "A position that was changed or added.");
+  refuse_construction(change, "Change", "changes of a Correction hold them");
+  change.def_readonly("move", &Change::move, "Of the path as it was.")
       .def_readonly("is_inserted", &Change::is_inserted)
       .def_property_readonly(
           "shift", [](const Change& self) { return copy(self.shift); }, "float64 (3,), mm.")
       .def_readonly("tilt", &Change::tilt, "Degrees.")
       .def_readonly("depth_before", &Change::depth_before, "mm.")
       .def_readonly("depth_after", &Change::depth_after, "mm.");
-  py::class_<Uncorrected>(module, "Uncorrected", "A move that still gouges or is buried, and why.")
-      .def_readonly("move", &Uncorrected::move, "Of the path as it was.")
+  auto uncorrected = py::class_<Uncorrected>(module, "Uncorrected", "A move that still gouges or is buried, and why.");
+  refuse_construction(uncorrected, "Uncorrected", "uncorrected of a Correction holds them");
+  uncorrected.def_readonly("move", &Uncorrected::move, "Of the path as it was.")
       .def_readonly("depth", &Uncorrected::depth, "mm.")
       .def_readonly("reason", &Uncorrected::reason);
-  py::class_<Correction>(module, "Correction", "A corrected path, checked like any other.")
-      .def_readonly("path", &Correction::path)
+  auto correction = py::class_<Correction>(module, "Correction", "A corrected path, checked like any other.");
+  refuse_construction(correction, "Correction", "correct(path, part, tool) returns one");
+  correction.def_readonly("path", &Correction::path)
       .def_readonly("before", &Correction::before, "The Report on the path as it was.")
       .def_readonly("after", &Correction::after, "The Report on the corrected path.")
       .def_readonly("changes", &Correction::changes)
@@ -200,7 +214,7 @@ void bind_checks(py::module_& module) {
       " stock: the material before the path, 'box', 'box=2' (about the parts), 'part+3', or closed meshes; rapids must be "
       "clear of what is left of it, other moves with shank and holder. before: programs that cut it earlier, (path, tool) "
       "or (path, tool, place). stock_tolerance, stock_resolution: mm.";
-  module.def("check", &run_check, py::arg("path"), py::arg("part"), py::arg("tool"), check_doc.c_str());
+  module.def("check", &run_check, check_doc.c_str());
   bind_corrections(module);
   static const std::string correct_doc =
       std::string(
@@ -209,7 +223,7 @@ void bind_checks(py::module_& module) {
           "becomes deeper. strategy: 'auto', 'weighted', 'normal', 'axis', 'tilt' or 'trim'. max_shift, "
           "max_side_shift (None: by the depth), rapid_clearance: mm. max_tilt: degrees.") +
       kOptions;
-  module.def("correct", &run_correct, py::arg("path"), py::arg("part"), py::arg("tool"), correct_doc.c_str());
+  module.def("correct", &run_correct, correct_doc.c_str());
 }
 
 }  // namespace gougecheck::python

@@ -43,9 +43,10 @@ void add_view(py::class_<Depths>& depths, const char* name, std::vector<T> Depth
       doc);
 }
 
-Depths find_depths(const py::object& part, const py::object& tool, const py::object& tips, const py::object& axes,
-                   const py::kwargs& given) {
-  Keywords keywords("depth", given);
+Depths find_depths(const py::args& args, const py::kwargs& given) {
+  Keywords keywords("depth", {"mesh", "tool", "tips", "axes"}, args, given);
+  const py::object part = keywords.required("mesh"), tool = keywords.required("tool"), tips = keywords.required("tips"),
+                   axes = keywords.required("axes");
   CheckOptions options;
   options.resolution = keywords.number("resolution", options.resolution);
   options.threads = keywords.count("threads", options.threads);
@@ -66,6 +67,7 @@ void bind_depths(py::module_& module) {
   auto depths = py::class_<Depths>(
       module, "Depths",
       "How deep a tool is at each of many positions, as a structure of arrays: read-only views that keep it alive.");
+  refuse_construction(depths, "Depths", "depth(mesh, tool, tips, axes) returns them");
   add_view(depths, "state", &Depths::state,
            "uint8 (n,): values of gougecheck.State; tolerance 0: any depth is a gouge.");
   add_view(depths, "depth", &Depths::depth,
@@ -78,7 +80,7 @@ void bind_depths(py::module_& module) {
   add_view(depths, "body", &Depths::body, "int8 (n,): values of gougecheck.Body; -1 without a point.");
   depths.def("__len__", [](const Depths& self) { return self.state.size(); });
   module.def(
-      "depth", &find_depths, py::arg("mesh"), py::arg("tool"), py::arg("tips"), py::arg("axes"),
+      "depth", &find_depths,
       "depth(mesh, tool, tips, axes, *, resolution=0.001, threads=0) -> Depths\n\n"
       "How deep the tool is at each position, alone, without the motion between them: over the whole surface, not "
       "at vertices. mesh: a Mesh or a Scene. tips, axes: C-contiguous float64 (n, 3), mm, read where they are; "
@@ -86,10 +88,12 @@ void bind_depths(py::module_& module) {
 }
 
 void bind_penetration(py::module_& module) {
-  py::class_<Penetration>(module, "Penetration",
-                          "Two bodies that stand still: state 'free', 'touching', 'penetrating' or 'not-certified'; "
-                          "lengths in mm, coordinates of a; depths are positive inside.")
-      .def_property_readonly("state", [](const Penetration& self) { return gougecheck::state_name(self.state); })
+  auto type = py::class_<Penetration>(
+      module, "Penetration",
+      "Two bodies that stand still: state 'free', 'touching', 'penetrating' or 'not-certified'; "
+      "lengths in mm, coordinates of a; depths are positive inside.");
+  refuse_construction(type, "Penetration", "penetration(a, b) returns one");
+  type.def_property_readonly("state", [](const Penetration& self) { return gougecheck::state_name(self.state); })
       .def_readonly("depth", &Penetration::depth,
                     "Largest distance of a point in both bodies to the surface of one; depth <= true depth <= "
                     "depth_upper.")
@@ -114,8 +118,9 @@ void bind_penetration(py::module_& module) {
       });
   module.def(
       "penetration",
-      [](const py::object& a, const py::object& b, const py::object& pose, const py::kwargs& given) {
-        Keywords keywords("penetration", given);
+      [](const py::args& args, const py::kwargs& given) {
+        Keywords keywords("penetration", {"a", "b", "pose"}, args, given);
+        const py::object a = keywords.required("a"), b = keywords.required("b"), pose = keywords.object("pose");
         PenetrationOptions options;
         options.tolerance = keywords.number("tolerance", options.tolerance);
         options.resolution = keywords.number("resolution", options.resolution);
@@ -126,7 +131,6 @@ void bind_penetration(py::module_& module) {
         const py::gil_scoped_release release;
         return penetration(one, other, placed, options);
       },
-      py::arg("a"), py::arg("b"), py::arg("pose") = py::none(),
       "penetration(a, b, pose=None, *, tolerance=0.01, resolution=0.001, find_shift=False) -> Penetration\n\n"
       "Whether two bodies penetrate and how deep, b placed by pose: None, a homogeneous float64 (4, 4) as trimesh has "
       "it, or a Transform of python-fcl. 'free' and 'touching' are proved. The GIL is released.");

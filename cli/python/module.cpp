@@ -11,6 +11,13 @@ namespace py = pybind11;
 
 py::str note_text(const Note& note) { return note.text; }
 
+// Sets the module of the classes to the one that users import, as messages and pickles name it.
+void name_public_module(const py::module_& module) {
+  for (const auto& [name, value] : module.attr("__dict__").cast<py::dict>()) {
+    if (py::isinstance<py::type>(value)) py::setattr(value, "__module__", py::str("gougecheck"));
+  }
+}
+
 }  // namespace
 
 void bind_errors(py::module_& module) {
@@ -34,12 +41,13 @@ void bind_errors(py::module_& module) {
       PyErr_SetObject(error, instance.ptr());
     }
   });
-  py::class_<Note>(module, "Note", "Something to know about an input or a result; never an error.")
-      .def_readonly("is_warning", &Note::is_warning)
+  auto note = py::class_<Note>(module, "Note", "Something to know about an input or a result; never an error.");
+  refuse_construction(note, "Note", "notes of inputs and reports hold them");
+  note.def_readonly("is_warning", &Note::is_warning)
       .def_readonly("code", &Note::code, "Stable, as in docs/errors.md.")
       .def_readonly("text", &Note::text, "One line: file, line, what was noticed.")
       .def("__str__", &note_text)
-      .def("__repr__", [](const Note& note) { return "<gougecheck.Note " + note.code + ">"; });
+      .def("__repr__", [](const Note& self) { return "<gougecheck.Note " + self.code + ">"; });
 }
 
 }  // namespace gougecheck::python
@@ -52,9 +60,11 @@ PYBIND11_MODULE(_core, module) {
   bind_errors(module);
   bind_meshes(module);
   bind_tools(module);
+  bind_tool_libraries(module);
   bind_paths(module);
   bind_reports(module);
   bind_checks(module);
   bind_depths(module);
   bind_penetration(module);
+  name_public_module(module);
 }

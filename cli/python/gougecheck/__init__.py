@@ -9,34 +9,12 @@ their owner alive. Depths are positive inside, as in trimesh.proximity.signed_di
 checks the whole motion of every move against the whole surface of every triangle.
 """
 
-import enum
-
 from gougecheck._core import (
     Assumption, Change, Correction, Depths, Error, Mesh, Note, Path, Penetration, Report, Scene, Tool, ToolLibrary,
     Uncorrected, __version__, check, correct, depth, penetration, read_program, read_toolpath, state_name)
-
-
-class State(enum.IntEnum):
-    """The state of a move: the values of Report.state and Depths.state."""
-
-    CLEAN = 0
-    NEAR = 1  #: nearer than near_miss
-    GOUGE = 2
-    BURIED = 3  #: inside a solid with no surface inside the tool
-    NOT_CHECKED = 4  #: see Report.reason
-    NOT_CERTIFIED = 5  #: not proved within the budget
-
-
-class Body(enum.IntEnum):
-    """The body of the tool that is nearest to a witness: the values of Report.body and Depths.body."""
-
-    CUTTER = 0
-    SHANK = 1
-    HOLDER = 2
-    HEAD = 3
-
+from gougecheck._finding import Body, Finding, State
 
 __all__ = [
-    "Assumption", "Body", "Change", "Correction", "Depths", "Error", "Mesh", "Note", "Path", "Penetration", "Report", "Scene",
-    "State", "Tool", "ToolLibrary", "Uncorrected", "__version__", "check", "correct", "depth", "penetration",
+    "Assumption", "Body", "Change", "Correction", "Depths", "Error", "Finding", "Mesh", "Note", "Path", "Penetration", "Report",
+    "Scene", "State", "Tool", "ToolLibrary", "Uncorrected", "__version__", "check", "correct", "depth", "penetration",
     "read_program", "read_toolpath", "state_name"]
