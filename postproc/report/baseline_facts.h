@@ -12,13 +12,13 @@ namespace gouge {
 struct BaselineEntry {
   enum class Use { applied, unused, voided };
 
-  std::string by, date, reason;  ///< as given at the acceptance
-  std::string finding;           ///< description of the accepted finding
-  std::string toolpath;          ///< file whose finding was accepted
-  std::size_t line = 0;          ///< its line there
-  std::string text;              ///< the entry with its seal, as JSON
-  Use use = Use::unused;         ///< unused: the accepted motions no longer gouge
-  std::string why;               ///< if voided: the change that voids it
+  std::string by{}, date{}, reason{};  ///< as given at the acceptance
+  std::string finding{};               ///< description of the accepted finding
+  std::string toolpath{};              ///< file whose finding was accepted
+  std::size_t line = 0;                ///< its line there
+  std::string text{};                  ///< the entry with its seal, as JSON
+  Use use = Use::unused;               ///< unused: the accepted motions no longer gouge
+  std::string why{};                   ///< if voided: the change that voids it
 };
 
 /// The acceptance of one of CheckResult::events.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/run.h"
+#include "lib/base/printable_text.h"
 
 namespace gouge {
 namespace {

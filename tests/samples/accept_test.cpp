@@ -299,7 +299,9 @@ TEST_F(Accept, AllGoesWithoutNumbersAndNumbersWithOneResult) {
   const Words note = {"--reason", "r", "--by", "b", "-o", "accepted.json"};
   const auto refused = [&](Words words) {
     words.insert(words.end(), note.begin(), note.end());
-    return error_of(words);
+    const Outcome ran = shop_.run(words);
+    EXPECT_EQ(ran.exit_status, 2) << ran.out;
+    return ran.err;
   };
   EXPECT_NE(refused({"accept", "a.json", "--all", "--finding", "1"}).find("--all or --finding, and not both"),
             std::string::npos);

@@ -29,7 +29,8 @@ void fill(ReportModel& model, const CheckResult& result) {
   model.cure_options = CureOptions();
   model.cures = {{0, {0.1, ""}, {2.5, 1, Body::holder, MoveState::gouge, 2.25}}};
   model.baseline.file = "accepted.json";
-  model.baseline.entries = {{"me", "2026-11-23", "stock", "0.25 mm", BaselineEntry::Use::applied, ""}};
+  model.baseline.entries = {
+      {.by = "me", .date = "2026-11-23", .reason = "stock", .finding = "0.25 mm", .use = BaselineEntry::Use::applied}};
   model.baseline.events.resize(result.events.size());
   model.baseline.events[0] = {{0}, true, ""};
 }
