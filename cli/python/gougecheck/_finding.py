@@ -56,6 +56,8 @@ class Finding:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "state", State(self.state))
+        # Takes away the quotes that a label of a tool has.
+        object.__setattr__(self, "tool", self.tool.strip('"'))
         if self.body is not None:
             object.__setattr__(self, "body", Body(self.body))
 
