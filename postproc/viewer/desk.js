@@ -232,17 +232,25 @@ class Desk {
     change(this.camera);
     const to = this.camera.state(), began = performance.now();
     const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.flight = (this.flight ?? 0) + 1;
+    this.stopFlight();
     const flight = this.flight;
     const step = now => {
       if (flight !== this.flight) return;
       const t = still ? 1 : Math.min(1, Math.max(0, (now - began) / 330));
       if (t < 1) this.camera.blend(from, to, t); else Object.assign(this.camera, to);
       this.draw();
-      if (t < 1) requestAnimationFrame(step);
+      this.isFlying = t < 1;
+      if (this.isFlying) requestAnimationFrame(step);
     };
+    this.isFlying = true;
     Object.assign(this.camera, from);
     requestAnimationFrame(step);
+  }
+
+  // Leaves the camera where it is.
+  stopFlight() {
+    this.flight = (this.flight ?? 0) + 1;
+    this.isFlying = false;
   }
 
   view(name) {

@@ -12,7 +12,7 @@ const listenToPicture = (desk, canvas, onClick) => {
     fingers.set(event.pointerId, place(event));
     if (fingers.size === 1) moved = 0;
     if (fingers.size === 2) pinch = spread();
-    desk.flight = (desk.flight ?? 0) + 1;
+    desk.stopFlight();
   });
   canvas.addEventListener('pointermove', event => {
     const before = fingers.get(event.pointerId);
@@ -41,7 +41,7 @@ const listenToPicture = (desk, canvas, onClick) => {
   canvas.addEventListener('contextmenu', event => event.preventDefault());
   canvas.addEventListener('wheel', event => {
     event.preventDefault();
-    desk.flight = (desk.flight ?? 0) + 1;
+    desk.stopFlight();
     desk.camera.zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY)) * 0.003), ...place(event));
     desk.redraw();
   }, { passive: false });

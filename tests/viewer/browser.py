@@ -9,6 +9,7 @@ import socket
 import struct
 import subprocess
 import tempfile
+import time
 import urllib.parse
 import zlib
 
@@ -122,7 +123,7 @@ class Browser:
             try:
                 if self.evaluate(condition):
                     return
-                self.evaluate("new Promise(done => setTimeout(done, 50))")
+                time.sleep(0.05)  # a promise of the page would wait for ever where scripts are off
             except RuntimeError as error:
                 if "navigated" not in str(error) and "context" not in str(error):
                     raise

@@ -8,7 +8,8 @@ import sys
 from browser import Browser, find_chromium, read_png
 
 DRAWN = "(() => { desk.draw(); desk.renderer.gl.finish(); return true; })()"
-STILL = "new Promise(done => setTimeout(done, 900))"  # longer than the camera flies
+# Until the camera has arrived, and what follows a flight is drawn.
+STILL = """new Promise(done => { const look = () => desk.isFlying ? setTimeout(look, 30) : setTimeout(done, 200); setTimeout(look, 100); })"""
 
 
 class Failures:
