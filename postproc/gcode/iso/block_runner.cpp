@@ -269,11 +269,6 @@ double BlockRunner::length(char letter) {
   return number(letter, increment_mm() / mm_per_unit()) * mm_per_unit();
 }
 
-double BlockRunner::increment_mm() const {
-  constexpr double kIncrement_mm = 0.001, kIncrement_inch = 0.0001;
-  return modes_.unit == LengthUnit::inch ? kIncrement_inch * mm_per_unit() : kIncrement_mm;
-}
-
 std::string BlockRunner::round_step(std::size_t axis, char letter, double value, double increment) {
   if (modes_.is_absolute != false) {
     rounding_.end(axis);
@@ -424,11 +419,11 @@ BlockRunner::Target BlockRunner::target() {
       return to;
     }
     double& angle = to.place.angles.at(*rotary);
-    constexpr double kIncrement_deg = 0.001;
-    const double degrees = number(letter, kIncrement_deg);
+    const double degrees = number(letter, StepRounding::kIncrement_deg);
     const double before = angle;
     angle = is_absolute ? motion_.angle_from_program(*rotary, degrees) : angle + degrees * kDegree_rad;
-    const std::string drift = round_step(StepRounding::kFirstRotary + *rotary, letter, degrees, kIncrement_deg);
+    const std::string drift =
+        round_step(StepRounding::kFirstRotary + *rotary, letter, degrees, StepRounding::kIncrement_deg);
     if (lost_.empty()) lost_ = drift;
     if (!modes_.is_absolute || !drift.empty()) angle = kUnknownValue;
     const bool may_turn_otherwise = modes_.is_absolute == true && !setup_.winds_as_programmed.value_or(false) &&

@@ -108,7 +108,7 @@ class BlockRunner {
   [[nodiscard]] bool is_turn_stated(std::size_t rotary, double degrees, double way_deg) const;
   [[nodiscard]] double number(char letter, double plain_increment_mm);
   [[nodiscard]] double length(char letter);
-  [[nodiscard]] double increment_mm() const;
+  [[nodiscard]] double increment_mm() const { return StepRounding::increment_mm(modes_.unit.value_or(LengthUnit::mm)); }
   /// Takes the word of an axis for the roundings of steps. Returns why its place is not known; empty: it is.
   [[nodiscard]] std::string round_step(std::size_t axis, char letter, double value, double increment);
   [[nodiscard]] double mm_per_unit() const { return mm_per(modes_.unit.value_or(LengthUnit::mm)); }

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/units.h"
+
 namespace gouge {
 
 /// Sums of the roundings of incremental words. A control rounds each word to its increment, to the nearest one or towards
@@ -14,6 +16,13 @@ class StepRounding {
  public:
   /// Axes 0 to 2 are X, Y and Z. Rotary joint k is axis 3 + k.
   static constexpr std::size_t kFirstRotary = 3;
+  /// Increment of rotary words on Haas, Fanuc and Siemens.
+  static constexpr double kIncrement_deg = 0.001;
+  /// Returns the increment of linear words on these controls, in mm, by the unit of the program.
+  [[nodiscard]] static double increment_mm(LengthUnit unit) {
+    constexpr double kIncrement_mm = 0.001, kIncrement_inch = 0.0001;
+    return unit == LengthUnit::inch ? kIncrement_inch * mm_per(unit) : kIncrement_mm;
+  }
 
   /// Takes an incremental word that runs `times` times. `step` and `increment` are mm or degrees.
   void add(std::size_t axis, double step, double increment, int times = 1) {

@@ -110,11 +110,6 @@ void SiemensRunner::place_axes(Target& to) {
   }
 }
 
-double SiemensRunner::increment_mm() const {
-  constexpr double kIncrement_mm = 0.001, kIncrement_inch = 0.0001;
-  return modes_.unit == LengthUnit::inch ? kIncrement_inch * mm_per_unit() : kIncrement_mm;
-}
-
 std::string SiemensRunner::round_step(std::size_t axis, const SiemensWord& word, double value, double increment) {
   if (is_incremental(word))
     modes_.rounding.add(axis, value, increment);
@@ -134,8 +129,8 @@ void SiemensRunner::place_rotaries(Target& to) {
     }
     const double before = to.place.angles.at(*rotary), angle = turned(*word, *rotary, to);
     settle_turn(*word, *rotary, before, angle, to);
-    constexpr double kIncrement_deg = 0.001;
-    const std::string drift = round_step(StepRounding::kFirstRotary + *rotary, *word, word->value, kIncrement_deg);
+    const std::string drift =
+        round_step(StepRounding::kFirstRotary + *rotary, *word, word->value, StepRounding::kIncrement_deg);
     if (!drift.empty()) to.open = drift;
     to.place.angles.at(*rotary) = angle;
     to.place.axis.reset();

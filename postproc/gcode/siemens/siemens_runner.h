@@ -123,7 +123,7 @@ class SiemensRunner {
   [[nodiscard]] Target target();
   void place_axes(Target& to);
   void place_rotaries(Target& to);
-  [[nodiscard]] double increment_mm() const;
+  [[nodiscard]] double increment_mm() const { return StepRounding::increment_mm(modes_.unit.value_or(LengthUnit::mm)); }
   /// Takes the word of an axis for the roundings of steps. Returns why its place is not known; empty: it is.
   [[nodiscard]] std::string round_step(std::size_t axis, const SiemensWord& word, double value, double increment);
   void place_vector(Target& to);
