@@ -6,16 +6,6 @@
 namespace gougecheck {
 namespace {
 
-/// Returns the tool at the instant of the witness, or at the end of a move without one.
-gouge::Pose pose_of(const gouge::ReportModel& model, std::size_t move) {
-  const auto& witness = model.result->verdicts[move].witness;
-  if (witness) {
-    const gouge::Motion motion = model.options.law.of(*model.toolpath, move).with(witness->turn);
-    if (motion.is_defined()) return motion.at(witness->t);
-  }
-  return model.toolpath->moves[move].end;
-}
-
 void add_verdict(const gouge::MoveVerdict& verdict, Finding& finding) {
   if (finding.state == State::gouge) {
     finding.depth = verdict.depth_mm;
@@ -49,7 +39,7 @@ Finding finding_of(const gouge::ReportModel& model, gouge::Finding found) {
   finding.tool = name.empty() ? std::move(found.tool) : name;
   finding.operation = gouge::operation_name(path, path.moves[found.move].operation);
   finding.message = std::move(found.message);
-  const gouge::Pose pose = pose_of(model, found.move);
+  const gouge::Pose pose = gouge::witness_pose(model, found.move).value_or(path.moves[found.move].end);
   finding.tip = to_array(pose.tip);
   finding.axis = to_array(pose.axis);
   const bool is_open = finding.state == State::not_checked || finding.state == State::not_certified;

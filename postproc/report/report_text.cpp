@@ -328,15 +328,19 @@ std::string setting_text(const ReportModel& model, const Event& event) {
   return text + (feed.empty() ? "" : ", " + feed);
 }
 
+std::optional<Pose> witness_pose(const ReportModel& model, std::size_t move) {
+  const std::optional<Witness>& witness = model.result->verdicts[move].witness;
+  if (!witness) return std::nullopt;
+  const Motion motion = model.options.law.of(*model.toolpath, move).with(witness->turn);
+  return motion.is_defined() ? std::optional(motion.at(witness->t)) : std::nullopt;
+}
+
 std::string pose_text(const ReportModel& model, const Event& event) {
-  const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
-  if (!verdict.witness) return {};
-  const Motion motion = model.options.law.of(*model.toolpath, event.worst_move).with(verdict.witness->turn);
-  if (!motion.is_defined()) return {};
-  const Pose pose = motion.at(verdict.witness->t);
+  const std::optional<Pose> pose = witness_pose(model, event.worst_move);
+  if (!pose) return {};
   std::string axis;
-  for (int k = 0; k < 3; ++k) axis += (k > 0 ? ", " : "") + display_text(pose.axis[k], 6);
-  return "tip " + point_text(pose.tip, model.toolpath->unit) + ", axis (" + axis + ")";
+  for (int k = 0; k < 3; ++k) axis += (k > 0 ? ", " : "") + display_text(pose->axis[k], 6);
+  return "tip " + point_text(pose->tip, model.toolpath->unit) + ", axis (" + axis + ")";
 }
 
 std::string group_text(const ReasonGroup& group) {

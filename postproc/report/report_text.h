@@ -87,6 +87,8 @@ struct UncutTotal {
 /// Returns where the event is in the words of the shop: ", lines 12-13, operation FINISH, tool ball D10, feed 800 mm/min".
 /// Parts that are not known are left out.
 [[nodiscard]] std::string setting_text(const ReportModel& model, const Event& event);
+/// Returns the pose of the tool at the witness of a move; nothing without a witness, or if the law leaves the motion open.
+[[nodiscard]] std::optional<Pose> witness_pose(const ReportModel& model, std::size_t move);
 /// Returns the pose of the tool at the worst instant: "tip (1, 2, 3), axis (0, 0, 1)"; empty without a witness.
 [[nodiscard]] std::string pose_text(const ReportModel& model, const Event& event);
 /// Returns one of group_reasons without its location: "not checked: <reason> (3 moves, the first is move 7)".
