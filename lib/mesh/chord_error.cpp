@@ -42,22 +42,25 @@ double error_at_edge_mm(const IndexedMesh& mesh, const Side& side, std::size_t n
 
 std::vector<double> estimate_chord_errors_mm(const IndexedMesh& mesh, std::span<const std::uint32_t> file_triangles) {
   std::vector<double> errors(file_triangles.size(), 0);
-  std::unordered_multimap<std::uint32_t, std::size_t> targets;
-  for (std::size_t i = 0; i < file_triangles.size(); ++i) targets.emplace(file_triangles[i], i);
   std::unordered_multimap<std::uint64_t, Side> sides;
+  std::vector<bool> is_corner(mesh.vertices.size(),
+                              false);  // of a triangle of interest; few triangles have two of them
   const auto for_each_edge = [&](std::size_t triangle, const auto& take) {
     const TriangleCorners& corners = mesh.triangles[triangle];
     for (std::size_t k = 0; k < 3; ++k) take(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]);
   };
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto [first, last] = targets.equal_range(mesh.file_triangle[i]);
-    for (auto target = first; target != last; ++target)
-      for_each_edge(i, [&](Corner a, Corner b, Corner apex) {
-        sides.emplace(edge_key(a, b), Side{i, target->second, apex});
-      });
+  for (std::size_t target = 0; target < file_triangles.size(); ++target) {
+    const auto found = std::ranges::lower_bound(mesh.file_triangle, file_triangles[target]);
+    if (found == mesh.file_triangle.end() || *found != file_triangles[target]) continue;
+    const auto triangle = static_cast<std::size_t>(found - mesh.file_triangle.begin());
+    for_each_edge(triangle, [&](Corner a, Corner b, Corner apex) {
+      sides.emplace(edge_key(a, b), Side{triangle, target, apex});
+      is_corner[a] = true;
+    });
   }
   for (std::size_t i = 0; i < mesh.triangles.size() && !sides.empty(); ++i)
     for_each_edge(i, [&](Corner a, Corner b, Corner apex) {
+      if (!is_corner[a] || !is_corner[b]) return;
       const auto [first, last] = sides.equal_range(edge_key(a, b));
       for (auto side = first; side != last; ++side) {
         double& error = errors[side->second.target];

@@ -23,8 +23,8 @@ struct IndexedMesh {
   std::string name;                          ///< as the user named the file
   std::vector<Vec3> vertices;                ///< mm, part coordinates
   std::vector<TriangleCorners> triangles;    ///< counter-clockwise seen from outside
-  std::vector<std::uint32_t> file_triangle;  ///< for each triangle: its index in the file (dropped triangles leave
-                                             ///< gaps)
+  std::vector<std::uint32_t> file_triangle;  ///< for each triangle: its index in the file, ascending (dropped triangles
+                                             ///< leave gaps)
 
   [[nodiscard]] const Vec3& corner(std::size_t triangle, std::size_t k) const {
     return vertices[triangles[triangle][k]];
