@@ -46,8 +46,7 @@ constexpr auto kPartWords = std::to_array<const char*>({"part", "teil", "werkst"
 
 bool is_library(const std::string& name) {
   constexpr std::uint64_t kMaxBytes = 10'000'000;
-  const Result<std::string> bytes = read_file(name, kMaxBytes);
-  return bytes && read_any_tools(name, *bytes, kMaxBytes).has_value();
+  return read_tools_file(name, kMaxBytes).has_value();
 }
 
 // Chooses the part where no name states it: the only STL file, or the only one with the name of a toolpath.

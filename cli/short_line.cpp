@@ -44,12 +44,8 @@ Result<std::string> read_beginning(const std::string& file) {
 
 bool is_tool_library(const std::string& file) {
   constexpr std::uint64_t kMaxLibrary = 10'000'000;
-  std::error_code ignored;
-  if (fs::file_size(file, ignored) > kMaxLibrary) return false;
-  const Result<std::string> bytes = read_file(file, kMaxLibrary);
-  if (!bytes) return false;
-  const Result<ReadTools> tools = read_any_tools(file, *bytes, kMaxLibrary);
-  return tools.has_value() || tools.error().code != "library-foreign";
+  const Result<ReadTools> tools = read_tools_file(file, kMaxLibrary);
+  return tools || (tools.error().code != "library-foreign" && tools.error().code != "input-too-large");
 }
 
 Result<Role> role_of(const std::string& file) {

@@ -110,9 +110,7 @@ int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& er
             refuse_outputs({{"the tool library", arguments.tools_file}}, {{"-o", arguments.output}}, err))
       return *status;
   }
-  const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.max_bytes);
-  if (!bytes) return fail(err, {bytes.error()});
-  const Result<ReadTools> read = read_any_tools(arguments.tools_file, *bytes, arguments.input.max_bytes);
+  const Result<ReadTools> read = read_tools_file(arguments.tools_file, arguments.input.max_bytes);
   if (!read) return fail(err, {read.error()});
   const ToolLibrary* const library = &read->library;
   print(err, library->notes);

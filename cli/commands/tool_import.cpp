@@ -21,9 +21,7 @@ namespace {
 Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& arguments) {
   if (arguments.holder.empty()) return std::vector<ToolSegment>{};
   if (arguments.tools_file.empty()) return make_error("usage", "--holder needs --tools, the library that holder is in");
-  const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.max_bytes);
-  if (!bytes) return bytes.error();
-  const Result<ReadTools> read = read_any_tools(arguments.tools_file, *bytes, arguments.input.max_bytes);
+  const Result<ReadTools> read = read_tools_file(arguments.tools_file, arguments.input.max_bytes);
   if (!read) return read.error();
   const ToolLibrary* const library = &read->library;
   const std::vector<ToolSegment>* holder = library->holder_called(arguments.holder);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/base/file_kind.h"
+#include "lib/base/files.h"
 #include "toolmodels/import/json_entry.h"
 
 namespace gouge {
@@ -94,6 +95,12 @@ Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes
   Result<ToolLibrary> library = read_tool_library(file, bytes);
   if (!library) return library.error();
   return ReadTools{std::move(*library), {}};
+}
+
+Result<ReadTools> read_tools_file(const std::string& file, std::uint64_t max_bytes) {
+  const Result<std::string> bytes = read_file(file, max_bytes);
+  if (!bytes) return bytes.error();
+  return read_any_tools(file, *bytes, max_bytes);
 }
 
 namespace {

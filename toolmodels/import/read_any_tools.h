@@ -27,6 +27,9 @@ struct ReadTools {
 [[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes,
                                                const ImportOptions& facts = {});
 
+/// Reads a file as read_any_tools does its bytes. Errors: those of read_file besides.
+[[nodiscard]] Result<ReadTools> read_tools_file(const std::string& file, std::uint64_t max_bytes);
+
 [[nodiscard]] bool is_zip(std::string_view bytes);
 
 /// Returns the first file of the archive whose name ends in `ending`. Errors: import-zip, also for a file larger than
