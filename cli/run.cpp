@@ -57,12 +57,6 @@ std::optional<Diagnostic> take_project(const ProjectLine& line, const CLI::App& 
   return wrong ? std::optional(line.located(*wrong)) : std::nullopt;
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  return names;
-}
-
 std::vector<const char*> pointers_to(const std::vector<std::string>& words) {
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());

@@ -49,8 +49,8 @@ Result<const CLI::App*> command_called(const CLI::App& app, const std::vector<st
 void add_self_commands(CLI::App& app, SelfArguments& arguments) {
   CLI::App* help = app.add_subcommand("help", "Print the help of a command");
   add_words(*help, arguments);
-  help->add_flag("--all", arguments.prints_all,
-                 "Print all options, as without it; COMMAND --help prints the usual ones of check, correct and batch");
+  help->add_flag("--all")->description(
+      "Print all options, as without it; COMMAND --help prints the usual ones of check, correct and batch");
   help->footer("Examples:\n  gougecheck help check --all\n  gougecheck help tool import");
   CLI::App* man = app.add_subcommand("man", "Print the manual page of a command, for man -l -");
   add_words(*man, arguments);

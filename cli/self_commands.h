@@ -13,7 +13,6 @@ namespace gouge {
 /// Arguments of `help`, `man`, `completion` and `schema`, which print information about the program.
 struct SelfArguments {
   std::vector<std::string> command;  ///< for help and man: the words of a command
-  bool prints_all = false;           ///< for help: all options of the command
   std::string shell;                 ///< for completion
   std::string file_kind;             ///< for schema
 };

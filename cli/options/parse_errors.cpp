@@ -42,8 +42,7 @@ std::string is_no_command(const std::string& word, const std::string& program,
 // The error of the first word behind the program's name: an option before the command, or no command at all.
 std::string explain_beginning(const CLI::App& program, std::span<const char* const> words) {
   if (words.size() < 2) return {};
-  std::vector<std::string> commands;
-  for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+  const std::vector<std::string> commands = command_names(program);
   const auto is_command = [&](const std::string& word) {
     return std::find(commands.begin(), commands.end(), word) != commands.end();
   };
@@ -65,7 +64,7 @@ class Command {
       app_ = app_->get_subcommands().back();
       name_ += " " + app_->get_name();
     }
-    for (const CLI::App* command : app_->get_subcommands({})) commands_.push_back(command->get_name());
+    commands_ = command_names(*app_);
   }
 
   [[nodiscard]] std::string empty_value(std::span<const char* const> words) const {
@@ -251,6 +250,12 @@ std::optional<Diagnostic> find_misread_value(const CLI::App& app, std::span<cons
   if (found.empty()) found = command.cut_positional(words);
   if (found.empty()) return std::nullopt;
   return make_error("usage", found);
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
 }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {

@@ -27,6 +27,9 @@ namespace gouge {
 /// one that failed. All words of the command line are in `words`, the program's name first. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_misread_value(const CLI::App& app, std::span<const char* const> words);
 
+/// Returns the names of the commands directly below `app`.
+[[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
+
 /// Returns the one of `names` that `word` was probably meant to be. It is the only one that `word` begins, or the
 /// nearest by letters that are missing, added, wrong or swapped. Of equals it is the first. Empty where none is near.
 [[nodiscard]] std::string nearest_name(std::string_view word, const std::vector<std::string>& names);
