@@ -4,10 +4,9 @@ FOLDER."""
 import os
 import shutil
 import subprocess
-import sys
 
-from browser import Browser, find_chromium
-from page_test import STILL, Failures, report_of
+from browser import Browser
+from page_test import STILL, report_of, run_on_samples
 
 LARGEST_COSINE = "Math.max(...desk.camera.toward.map(Math.abs))"
 CLICK = "document.querySelector('[data-{}={}]').click()"
@@ -95,15 +94,8 @@ def check_long_names(browser, gougecheck, folder, found):
             found.check(out == 0, f"and push no column out of its table ({out})")
 
 
-def main():
-    gougecheck, make_samples, folder = sys.argv[1:4]
-    if find_chromium() is None:
-        print("skipped: chromium is not installed (Debian 12: apt-get install chromium)")
-        return 77
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(folder)
-    subprocess.run([make_samples, folder], check=True, stdout=subprocess.DEVNULL)
-    report, found = report_of(gougecheck, os.path.join(folder, "pocket")), Failures()
+def check_all(gougecheck, folder, found):
+    report = report_of(gougecheck, os.path.join(folder, "pocket"))
     browser = Browser(1200, 1000)
     try:
         check_views(browser, report, found)
@@ -113,8 +105,7 @@ def main():
         found.check(browser.errors == [], "the console has no error " + "; ".join(browser.errors))
     finally:
         browser.close()
-    return 1 if found.count else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_on_samples(check_all)

@@ -212,15 +212,22 @@ def check_without_script(browser, report, found):
     found.check("pictures" in browser.evaluate("document.querySelector('noscript')?.textContent ?? ''"), "and the page says so")
 
 
-def main():
+def run_on_samples(check_all):
+    """Makes the samples in the folder of the command line, and ends the test: 77 without a browser, 1 if a check fails."""
     gougecheck, make_samples, folder = sys.argv[1:4]
     if find_chromium() is None:
         print("skipped: chromium is not installed (Debian 12: apt-get install chromium)")
-        return 77
+        sys.exit(77)
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     subprocess.run([make_samples, folder], check=True, stdout=subprocess.DEVNULL)
-    report, found = report_of(gougecheck, os.path.join(folder, "pocket")), Failures()
+    found = Failures()
+    check_all(gougecheck, folder, found)
+    sys.exit(1 if found.count else 0)
+
+
+def check_all(gougecheck, folder, found):
+    report = report_of(gougecheck, os.path.join(folder, "pocket"))
     browser = Browser(1200, 1000)
     try:
         check_page(browser, report, found)
@@ -243,8 +250,7 @@ def main():
         check_without_script(plain, report, found)
     finally:
         plain.close()
-    return 1 if found.count else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_on_samples(check_all)

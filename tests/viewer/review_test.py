@@ -5,11 +5,10 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 import urllib.parse
 
-from browser import Browser, find_chromium
-from page_test import Failures, report_of
+from browser import Browser
+from page_test import report_of, run_on_samples
 
 FILL = """(([name, value]) => { const c = document.querySelector(`.review-form [data-review=${name}]`); c.value = value;
   c.dispatchEvent(new Event('input', {bubbles: true})); })"""
@@ -123,15 +122,8 @@ def check_batch(browser, gougecheck, folder, found):
     found.check(True, "the last report says so")
 
 
-def main():
-    gougecheck, make_samples, folder = sys.argv[1:4]
-    if find_chromium() is None:
-        print("skipped: chromium is not installed (Debian 12: apt-get install chromium)")
-        return 77
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(folder)
-    subprocess.run([make_samples, folder], check=True, stdout=subprocess.DEVNULL)
-    sample, found = os.path.join(os.path.abspath(folder), "pocket"), Failures()
+def check_all(gougecheck, folder, found):
+    sample = os.path.join(os.path.abspath(folder), "pocket")
     report = report_of(gougecheck, sample)
     browser = Browser(1200, 1000)
     try:
@@ -148,8 +140,7 @@ def main():
         found.check(plain.evaluate("document.querySelector('.review-form').getBoundingClientRect().height") > 50, "without WebGL the form is above the table")
     finally:
         plain.close()
-    return 1 if found.count else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run_on_samples(check_all)
