@@ -105,8 +105,7 @@ bool begins_with(std::string_view bytes, std::string_view beginning) {
 
 std::optional<FileKind> recognise_bytes(std::string_view bytes) {
   if (is_iges(bytes)) return kIges;
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  bytes = without_byte_order_mark(bytes);
   const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   for (const KnownBeginning& one : kBeginnings)
     if (begins_with(text, one.text)) return one.kind;
@@ -134,18 +133,22 @@ std::optional<FileKind> recognise_file(std::string_view path, std::string_view b
   return is_open && named ? named : kind;
 }
 
-bool looks_like_cl_data(std::string_view text) {
+bool begins_a_line(std::string_view text, std::span<const std::string_view> words) {
   constexpr std::size_t kLinesLookedAt = 50;
-  constexpr auto kWords =
-      std::to_array<std::string_view>({"GOTO", "TOOL PATH/", "PARTNO", "LOADTL", "CUTTER", "MULTAX", "UNITS"});
   for (std::size_t lines = 0; !text.empty() && lines < kLinesLookedAt; ++lines) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
-    if (std::ranges::any_of(kWords, [&](std::string_view word) { return line.starts_with(word); })) return true;
+    if (std::ranges::any_of(words, [&](std::string_view word) { return line.starts_with(word); })) return true;
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;
+}
+
+bool looks_like_cl_data(std::string_view text) {
+  constexpr auto kWords =
+      std::to_array<std::string_view>({"GOTO", "TOOL PATH/", "PARTNO", "LOADTL", "CUTTER", "MULTAX", "UNITS"});
+  return begins_a_line(text, kWords);
 }
 
 }  // namespace gouge

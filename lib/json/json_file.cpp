@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "lib/base/file_kind.h"
+
 namespace gouge {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 // Scan that examines only brackets and lengths, so any text is accepted.
 class LimitScan {
@@ -86,7 +86,7 @@ std::string mistake_at(std::string_view bytes, std::size_t byte) {
 Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind) {
   const std::string& syntax = kind.syntax_code;
   if (bytes.empty()) return make_error(syntax, "the file is empty (0 bytes); expected " + kind.what + " (JSON)", file);
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  bytes = without_byte_order_mark(bytes);
   if (const auto excess = LimitScan(file, bytes, kind.what).find_excess()) return *excess;
   try {
     JsonFile parsed{nlohmann::json::parse(bytes), find_json_lines(bytes)};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
@@ -36,7 +37,7 @@ std::string quoted(std::string_view word) {
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {
-    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
+    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
   }
 
   std::string_view next() {

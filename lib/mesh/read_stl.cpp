@@ -16,21 +16,9 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLinesLookedAt = 50;
-
-constexpr std::array<std::string_view, 2> kObjWords = {"v ", "mtllib "};
-
 std::string_view without_blanks_before(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
-}
-
-template <std::size_t n>
-bool begins_with_one(std::string_view line, const std::array<std::string_view, n>& words) {
-  for (const std::string_view word : words) {
-    if (line.starts_with(word)) return true;
-  }
-  return false;
 }
 
 std::string advice_for(const FileKind& kind) {
@@ -59,12 +47,8 @@ std::string described(const FileKind& kind) {
 std::optional<std::string> describe_lines(std::string_view text) {
   if (text.starts_with("OFF")) return "is an OFF mesh; save it as STL";
   if (looks_like_cl_data(text)) return "is a toolpath (CL data); expected an STL file";
-  for (std::size_t at = 0, lines = 0; at < text.size() && lines < kLinesLookedAt; ++lines) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = without_blanks_before(text.substr(at, end - at));
-    at = end + 1;
-    if (begins_with_one(line, kObjWords)) return "is an OBJ mesh; save it as STL";
-  }
+  constexpr std::array<std::string_view, 2> kObjWords = {"v ", "mtllib "};
+  if (begins_a_line(text, kObjWords)) return "is an OBJ mesh; save it as STL";
   return std::nullopt;
 }
 

@@ -117,7 +117,7 @@ const ToolpathFormat& format_called(std::string_view id) {
 const ToolpathFormat& format_of(const Toolpath& path) { return format_called(dialect_or_apt(path.dialect).format); }
 
 Dialect recognise_dialect(std::string_view bytes) {
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  bytes = without_byte_order_mark(bytes);
   for (const ToolpathFormat& format : kFormats) {
     if (std::optional<Dialect> dialect = format.recognise(bytes)) return *std::move(dialect);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "lib/base/file_kind.h"
+
 namespace gouge::detail {
 
 namespace {
@@ -46,10 +48,7 @@ Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const s
   return quantity;
 }
 
-std::string_view without_mark(std::string_view bytes) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  return trim_blanks(bytes);
-}
+std::string_view without_mark(std::string_view bytes) { return trim_blanks(without_byte_order_mark(bytes)); }
 
 bool is_json(std::string_view bytes) {
   const std::string_view text = without_mark(bytes);

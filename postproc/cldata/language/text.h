@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/letters.h"
 
 // The bytes of a CL file as words. Upper and lower case are equal everywhere in CL data.
@@ -16,9 +17,6 @@ namespace gouge {
 
 /// Returns whether a character belongs to words: letters, digits, `_` and `-`.
 [[nodiscard]] constexpr bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; }
-
-/// Byte order mark that some editors write before UTF-8 text; it is not part of the text.
-inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 /// Returns `text` in UTF-8 without control characters. It is cut after the letter that reaches `longest` bytes. Bytes
 /// that are not UTF-8 are read as Latin-1.

@@ -82,7 +82,7 @@ std::string_view take_major(std::string_view& text) {
 constexpr std::size_t kColumns = 72, kCard = 80;
 
 std::string_view first_line(std::string_view bytes) {
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  bytes = without_byte_order_mark(bytes);
   const std::string_view line = bytes.substr(0, bytes.find('\n'));
   return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 
@@ -64,8 +65,7 @@ bool take_tilde(std::string_view& line) {
 
 /// Begins a block with its first line. Returns whether the next line belongs to it.
 bool begin_block(std::string_view line, KlartextBlock& block) {
-  constexpr std::string_view kMarkOfBytes = "\xef\xbb\xbf";
-  if (line.starts_with(kMarkOfBytes)) line.remove_prefix(kMarkOfBytes.size());
+  line = without_byte_order_mark(line);
   line = trim_blanks(line);
   for (int mark = 0; mark < 2; ++mark) {
     if (mark == 0 || block.is_skippable) remove_block_number(line);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/iso/program_run.h"
 
@@ -9,7 +10,6 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kLinesOfRecognition = 300;
-constexpr std::string_view kMarkOfBytes = "\xef\xbb\xbf";
 
 /// Returns whether a code that applies a tool length stands in the text. Comments count too: then a length must be given
 /// that would not be needed otherwise.
@@ -39,7 +39,7 @@ void find_blocks_outside(const ProgramText& text, const ControlTable& control, B
 }  // namespace
 
 bool is_iso_program(std::string_view bytes) {
-  if (bytes.starts_with(kMarkOfBytes)) bytes.remove_prefix(kMarkOfBytes.size());
+  bytes = without_byte_order_mark(bytes);
   GcodeBlock block;
   const GcodeVariables variables;
   const GcodeSyntax syntax = {.has_o_words = true, .has_macros = false, .has_named_variables = true};
