@@ -87,11 +87,12 @@ struct Move {
   /// If not empty: the reason why this motion cannot be checked, or can only be found clean (`cover`). The text is
   /// never freed.
   std::string_view not_checked_reason;
-  SmallIndex line;                         ///< line on which its statement begins, counted from 1
-  SmallIndex statement = kNone;            ///< index into Toolpath::statements
-  SmallIndex tool = kNone;                 ///< index into Toolpath::tools; kNone: no tool stated yet
-  SmallIndex operation = kNone;            ///< index into Toolpath::operations
-  SmallIndex curve;                        ///< index into Toolpath::arcs or ::splines
+  SmallIndex line;               ///< line on which its statement begins, counted from 1
+  SmallIndex statement = kNone;  ///< index into Toolpath::statements
+  SmallIndex tool = kNone;       ///< index into Toolpath::tools; kNone: no tool stated yet
+  SmallIndex operation = kNone;  ///< index into Toolpath::operations
+  SmallIndex curve;              ///< index into Toolpath::arcs or ::splines
+  float spindle_rpm = 0;  ///< revolutions per minute that the file states for the spindle; 0: not known, or stopped
   CurveKind curve_kind = CurveKind::none;  ///< none: the tip moves straight
   MoveKind kind = MoveKind::feed;
   FeedUnit feed_unit = FeedUnit::not_stated;

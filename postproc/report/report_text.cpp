@@ -303,6 +303,11 @@ std::string feed_text(const Feed& feed, LengthUnit unit) {
   return "feed " + length_text(feed.mm, unit) + (feed.unit == FeedUnit::per_minute ? "/min" : "/rev");
 }
 
+// Returns the speed of the spindle in a move; empty: not known.
+std::string spindle_text(const Move& move) {
+  return move.spindle_rpm > 0 ? "spindle " + display_text(move.spindle_rpm, 1) + " rpm" : std::string();
+}
+
 // Returns the name of a numbered tool in the library, else in the toolpath; empty: it has none.
 std::string shop_name(const ReportModel& model, std::size_t tool) {
   const Toolpath& path = *model.toolpath;
@@ -324,8 +329,10 @@ std::string setting_text(const ReportModel& model, const Event& event) {
   if (first != last) text += ", lines " + std::to_string(first) + "-" + std::to_string(last);
   if (!operation.empty()) text += ", operation " + operation;
   if (!tool.empty()) text += ", tool " + tool;
-  const std::string feed = feed_text(move.feed(), path.unit);
-  return text + (feed.empty() ? "" : ", " + feed);
+  for (const std::string& speed : {feed_text(move.feed(), path.unit), spindle_text(move)}) {
+    if (!speed.empty()) text += ", " + speed;
+  }
+  return text;
 }
 
 std::optional<Pose> witness_pose(const ReportModel& model, std::size_t move) {

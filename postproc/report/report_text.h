@@ -84,7 +84,8 @@ struct UncutTotal {
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);
 /// Returns " (7 moves, 118-124)", or nothing if the event is one move.
 [[nodiscard]] std::string span_text(const Event& event);
-/// Returns where the event is in the words of the shop: ", lines 12-13, operation FINISH, tool ball D10, feed 800 mm/min".
+/// Returns where the event is in the words of the shop: ", lines 12-13, operation FINISH, tool ball D10, feed 800 mm/min,
+/// spindle 12000 rpm".
 /// Parts that are not known are left out.
 [[nodiscard]] std::string setting_text(const ReportModel& model, const Event& event);
 /// Returns the pose of the tool at the witness of a move; nothing without a witness, or if the law leaves the motion open.

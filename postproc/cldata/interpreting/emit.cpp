@@ -161,6 +161,7 @@ Move make_move(States& s, const Position& position, MoveKind kind) {
   move.operation = s.operation.index();
   const bool is_at_rapid = kind == MoveKind::rapid || (kind == MoveKind::arc && s.feed.is_rapid());
   move.set_feed(is_at_rapid ? Feed{0, FeedUnit::rapid} : s.feed.feed());
+  move.spindle_rpm = s.feed.spindle_rpm();
   move.has_start = s.chain.is_start_certain();
   const char* const uncertainty = is_skipped(s) ? nullptr : s.uncertainties.reason();
   for (const char* reason : {uncertainty, s.chain.last_uncertainty(), s.chain.unknown_start()}) {

@@ -24,12 +24,13 @@
 #include "postproc/cldata/interpreting/tool_state.h"
 #include "postproc/cldata/interpreting/uncertainties.h"
 #include "postproc/cldata/parsing/feed_statement.h"
+#include "postproc/cldata/parsing/spindle_statement.h"
 #include "postproc/program/motion_chain.h"
 
 namespace gouge {
 
-/// FEDRAT, which holds until the next one, and RAPID, which holds for one motion. If no motion follows, they have no
-/// effect.
+/// FEDRAT and SPINDL, which hold until the next one, and RAPID, which holds for one motion. If no motion follows, they
+/// have no effect.
 class FeedState {
  public:
   explicit FeedState(StatementContext& in) : in_(in) {}
@@ -41,6 +42,7 @@ class FeedState {
     if (has_feed_per_turn_ && !has_feed_unit(in_.arguments)) feed_ = {0, FeedUnit::not_understood};
     has_feed_per_turn_ = has_feed_per_turn_ || feed_.unit == FeedUnit::per_revolution;
   }
+  void take_spindle() { spindle_rpm_ = read_spindle_speed(in_.arguments).value_or(spindle_rpm_); }
   void begin_rapid() {
     is_rapid_ = true;
     rapid_statement_ = in_.index();
@@ -49,6 +51,7 @@ class FeedState {
   void begin_block() { feed_ = {}; }
 
   [[nodiscard]] const Feed& feed() const { return feed_; }
+  [[nodiscard]] float spindle_rpm() const { return spindle_rpm_; }
   [[nodiscard]] bool is_rapid() const { return is_rapid_; }
   /// Returns the last RAPID, or kNone.
   [[nodiscard]] std::size_t rapid_statement() const { return rapid_statement_; }
@@ -56,6 +59,7 @@ class FeedState {
  private:
   StatementContext& in_;
   Feed feed_;
+  float spindle_rpm_ = 0;
   bool has_feed_per_turn_ = false;  // a FEDRAT had this unit; then the unit of one without it is unknown
   bool is_rapid_ = false;
   std::size_t rapid_statement_ = kNone;

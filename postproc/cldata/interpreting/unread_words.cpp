@@ -12,7 +12,6 @@
 
 // Handlers for harmless words, and for all words that are not read. The latter may move the tool, change it, its axis
 // or compensation, or shift later positions. So after them no earlier statement is certain.
-// later positions. So nothing that the file stated before them is certain.
 
 namespace gouge {
 namespace {
@@ -110,7 +109,10 @@ void take_harmless(States& s) {
   const Statement& statement = s.in.statement();
   if (statement.is_decoded || statement.pieces.empty()) return;
   split_arguments(statement, s.in.arguments);
-  if (is_harmless(statement.major, s.in.arguments) && !is_end_of_another(s.in)) return;
+  if (is_harmless(statement.major, s.in.arguments) && !is_end_of_another(s.in)) {
+    if (equals_ignoring_case(statement.major, "SPINDL")) s.feed.take_spindle();
+    return;
+  }
   is_declared(s) ? s.in.count_declared() : take_unknown_statement(s);
 }
 

@@ -82,6 +82,7 @@ void BlockRunner::take_modes() {
   for (const GcodeRow* row : words_.rows()) take_code(*row);
   if (words_.has('F')) take_feed();
   if (words_.has('S') && !(words_.value('S') >= 0)) return lose_rest("the speed of the spindle is not known", line_);
+  if (words_.has('S')) motion_.set_spindle(words_.value('S'));
   if (words_.has('T')) {
     modes_.next_tool = words_.integer('T');
     if (!modes_.next_tool || *modes_.next_tool < 0) return lose_rest("the number of the tool is not known", line_);

@@ -140,6 +140,7 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
   move.set_feed(move.kind == MoveKind::rapid ? Feed{0, FeedUnit::rapid} : feed_);
   move.runs_joints = mapper_.has_machine() && state_.tip_control != TipControl::on;
   move.has_start = chain_.last_pose().has_value();
+  move.spindle_rpm = spindle_rpm_;
   const char* const unknown_start = chain_.unknown_start();
   const bool is_end_known = reached.open.empty();
   move.end = is_end_known ? reached.pose : chain_.last_pose().value_or(Pose{});

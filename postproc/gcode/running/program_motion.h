@@ -98,6 +98,8 @@ class ProgramMotion {
     feed_ = feed;
     moves_per_minute_.reset();
   }
+  /// Sets the speed of the spindle, in revolutions per minute; 0: not known.
+  void set_spindle(double rpm) { spindle_rpm_ = static_cast<float>(rpm); }
   /// Sets the feed by the number of such motions in a minute (G93). Each move takes its length in that time.
   void set_inverse_time(std::optional<double> moves_per_minute) {
     feed_ = {};
@@ -194,6 +196,7 @@ class ProgramMotion {
   std::string turn_doubt_;
   bool has_turned_ = false;  // a rotary joint has turned in a move
   Feed feed_;
+  float spindle_rpm_ = 0;
   std::optional<double> moves_per_minute_;
   std::size_t statement_ = 0, line_ = 0, tool_ = kNone;
   std::vector<bool> has_run_;  // one for each statement

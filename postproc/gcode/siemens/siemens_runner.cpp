@@ -65,7 +65,10 @@ SiemensNext SiemensRunner::run(const SiemensBlock& block, std::size_t line) {
 void SiemensRunner::take_codes() {
   using Group = SiemensGroup;
   for (const SiemensWords::Code& code : words_.codes()) take_mode(code);
-  if (words_.value("F") != nullptr && words_.code(Meaning::dwell) == nullptr) take_feed();
+  if (words_.code(Meaning::dwell) == nullptr) {
+    if (words_.value("F") != nullptr) take_feed();
+    take_spindle();
+  }
   if (const auto* offset = words_.code(Meaning::work_offset)) take_offset(offset->word->name);
   take_length_and_tool();
   const auto has_code = [&](Group group) { return words_.code_of(group) != nullptr; };
@@ -144,6 +147,13 @@ void SiemensRunner::take_feed() {
   const double feed = words_.value("F")->value;
   modes_.feed = is_known(feed) && feed > 0 ? std::optional(feed * mm_per_unit()) : std::nullopt;
   set_feed();
+}
+
+void SiemensRunner::take_spindle() {
+  for (const char* const name : {"S", "S1"}) {
+    const SiemensWord* const word = words_.value(name);
+    if (word != nullptr) motion_.set_spindle(word->value > 0 ? word->value : 0);
+  }
 }
 
 void SiemensRunner::set_feed() {

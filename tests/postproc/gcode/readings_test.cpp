@@ -133,6 +133,13 @@ TEST(GcodeReading, CallsProgramsBesideTheFile) {
   EXPECT_EQ(path.moves[1].line, 2u) << "the line of the call";
 }
 
+TEST(GcodeReading, KeepsTheSpeedOfTheSpindle) {
+  const Toolpath path = path_of_program("G21 G90 G94 S8000 M3\nG0 X0 Y0 Z0\nG1 X10 F5\nS0 X20\nM2\n", "linuxcnc");
+  ASSERT_EQ(path.moves.size(), 3u);
+  EXPECT_EQ(path.moves[1].spindle_rpm, 8000);
+  EXPECT_EQ(path.moves[2].spindle_rpm, 0);
+}
+
 TEST(GcodeReading, TurnsInverseTimeIntoFeeds) {
   const Toolpath path = path_of_program("G21 G90 G93 G0 X0 Y0 Z0\nG1 X10 F5\nG1 X20\nM2\n", "linuxcnc");
   EXPECT_EQ(path.moves[1].feed_mm, 50);

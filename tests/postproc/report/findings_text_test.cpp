@@ -57,10 +57,11 @@ TEST(FindingsText, TheSummaryBreaksAtTheWidthOfATerminal) {
 TEST(FindingsText, StatesTheFeedAndThePoseOfTheToolOnRequest) {
   SmallReport report;
   report.path.moves[2].set_feed({800, FeedUnit::per_minute});
+  report.path.moves[2].spindle_rpm = 12000;
   FindingsView view;
   view.has_statements = true;
   const std::string text = findings_text(report.model, view);
-  EXPECT_NE(text.find(", tool ball D10, feed 800 mm/min\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(", tool ball D10, feed 800 mm/min, spindle 12000 rpm\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\n         tip ("), std::string::npos) << text;
   EXPECT_EQ(findings_text(report.model).find("tip ("), std::string::npos);
 }

@@ -18,6 +18,13 @@ PathArc last_arc(const Toolpath& path) {
   return path.arcs[path.moves.back().curve];
 }
 
+TEST(KlartextLines, HaveTheSpeedOfTheSpindleOfTheLastToolCall) {
+  const Toolpath path = blocks_of("TOOL CALL 1 Z S2500\n" + kStart + "L X+5 F200\nTOOL CALL S3000\nL X+6\n");
+  ASSERT_GE(path.moves.size(), 3U);
+  EXPECT_EQ(path.moves[1].spindle_rpm, 2500);
+  EXPECT_EQ(path.moves.back().spindle_rpm, 3000);
+}
+
 TEST(KlartextLines, GoToAbsoluteAndIncrementalPlaces) {
   const Toolpath path = blocks_of(kStart + "L X+5 F200\nL IX+2 IZ-1\nL Y-3 FMAX\nL Z 25.000\n");
   EXPECT_EQ(tips(path), "(0,0,10) (5,0,10) (7,0,9) (7,-3,9) (7,-3,25)");

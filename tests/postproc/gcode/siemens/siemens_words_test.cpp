@@ -34,6 +34,14 @@ TEST(SiemensWords, InchesAreConverted) {
   expect_at(tip_after("G700\nTRANS X1\nG1 X1 Y2 Z0.5 F100\nG710\nZ3\n"), 50.8, 50.8, 3);
 }
 
+TEST(SiemensWords, TheSpeedOfTheSpindleHoldsUntilTheNext) {
+  const Toolpath path = path_of_siemens(kHead + "G1 Z5 F250 S3000 M3\nZ4\nG4 S5\nS1=4500\nZ3\nM30\n");
+  ASSERT_EQ(path.moves.size(), 4U);
+  EXPECT_EQ(path.moves[1].spindle_rpm, 3000);
+  EXPECT_EQ(path.moves[2].spindle_rpm, 3000);
+  EXPECT_EQ(path.moves[3].spindle_rpm, 4500);
+}
+
 TEST(SiemensWords, MotionCodesMakeTheirKinds) {
   const Toolpath path = path_of_siemens(kHead + "G1 Z5 F250\nG0 X5\nG2 X10 Y5 I5 J0\nM30\n");
   ASSERT_EQ(path.moves.size(), 4U);
