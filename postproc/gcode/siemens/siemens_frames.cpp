@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,6 +21,20 @@ bool keeps_right_angles(const Eigen::Matrix3d& linear) {
   const Eigen::Matrix3d square = linear.transpose() * linear;
   const Eigen::Matrix3d off = square - Eigen::Matrix3d(square.diagonal().asDiagonal());
   return off.cwiseAbs().maxCoeff() <= Tolerance::kRounding * square.diagonal().maxCoeff();
+}
+
+/// Returns whether the state of CYCLE800 is that of a new plane with which the tool is aligned: its decimal digits above
+/// the third only choose the direction of a rotary joint, and the tens keep the tip in place while the joints turn.
+/// Source: Tool and Mold Making 08/2007, p. 71; Work preparation 10/2015, p. 678.
+bool is_new_plane(double status) {
+  constexpr auto kStates = std::to_array<double>({0, 10, 100000, 100010, 200000, 200010});
+  return std::ranges::find(kStates, status) != kStates.end();
+}
+
+/// Returns whether the display mode of CYCLE800 states the plane of G17, or none. Source: as above, p. 681.
+bool is_in_plane_xy(double display) {
+  constexpr auto kModes = std::to_array<double>({0, 1});
+  return std::ranges::find(kModes, display) != kModes.end();
 }
 
 /// Returns the axes of the three turns of CYCLE800, 0 for X; none: its mode is another one.
@@ -147,7 +162,7 @@ void SiemensRunner::take_swivel(const SiemensWord& cycle) {
   const bool was_swivelled = modes_.has_swivel;
   modes_.has_swivel = true;
   modes_.open_swivel = motion_.tip_control() == TipControl::on ? "CYCLE800 while TRAORI is in force"
-                       : was_swivelled && siemens_argument(cycle, 2, 0) > 0
+                       : was_swivelled && std::fmod(siemens_argument(cycle, 2, 0), 10) > 0
                            ? "CYCLE800 is added to the swivelled plane in force"
                            : set_swivel(cycle);
   if (!modes_.open_swivel.empty()) modes_.open_swivel = here(modes_.open_swivel);
@@ -160,9 +175,10 @@ std::string SiemensRunner::set_swivel(const SiemensWord& cycle) {
                         kDisplay = 15;
   if (modes_.unit == LengthUnit::inch) return "the unit of the arguments of CYCLE800 is not stated";
   const auto order = turn_order(siemens_argument(cycle, kMode, 0));
-  const bool is_plain = std::abs(siemens_argument(cycle, kStatus, 0)) <= 0 &&
-                        std::abs(siemens_argument(cycle, kDisplay, 0)) <= 0 && cycle.arguments.size() <= kDisplay + 1;
+  const bool is_plain = is_new_plane(siemens_argument(cycle, kStatus, 0)) &&
+                        is_in_plane_xy(siemens_argument(cycle, kDisplay, 0)) && cycle.arguments.size() <= kDisplay + 1;
   if (!order || !is_plain) return "this form of CYCLE800 is not read";
+  if (modes_.plane != PlaneAxes{0, 1, 2}) return "CYCLE800 is not in the plane of G17";
   Vec3 first, second;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   for (std::size_t i = 0; i < 3; ++i) {

@@ -125,6 +125,20 @@ TEST(SiemensFrames, Cycle800ExpandsToItsPlane) {
   EXPECT_EQ(open, 2U);  // the motion that aligns the tool, and the one from there
 }
 
+TEST(SiemensFrames, Cycle800ChoosesADirectionAndKeepsTheTipInItsState) {
+  for (const char* const state : {"0", "10", "100000", "200000", "200010"}) {
+    for (const char* const display : {"", ",0", ",1"}) {
+      const std::string call =
+          std::string("CYCLE800(1,\"TC1\",") + state + ",57,10,0,0,0,90,0,0,0,5,-1,100" + display + ")";
+      const std::string text = test::kHead + "G0 B0 C0\nG0 Z500\n" + call + "\nG0 X1 Y2 Z3\nG1 X4 F100\nM30\n";
+      const Toolpath path = test::path_of_siemens(text, full_setup());
+      EXPECT_TRUE(path.moves.back().not_checked_reason.empty()) << text;
+      const Vec3 tip = path.moves.back().end.tip;
+      expect_at(tip, 10 + 5 + 3, 2, -4);
+    }
+  }
+}
+
 TEST(SiemensFrames, Cycle800WithoutArgumentsEndsThePlane) {
   const ReadOutcome outcome = test::read_siemens(
       test::kHead +

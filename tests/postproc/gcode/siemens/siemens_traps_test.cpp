@@ -263,6 +263,12 @@ TEST(SiemensTraps, FramesWhoseFateIsNotStated) {
   expect_open("TRANS X5\nCYCLE800()\nG0 X1 Y1 Z1", "CYCLE800 may end the frame", full_setup());
   expect_open("CYCLE800(0,\"TC\",0,192,0,0,0,0,90,0,0,0,0,1)\nG0 X1 Y1 Z1", "this form of CYCLE800", full_setup());
   expect_open("G0 B0 C0\nCYCLE800(0,\"TC\",0,57,0,0,0,0,90,0,0,0,0,0)\nG0 X1 Y1 Z1", "not aligned", full_setup());
+  for (const char* const state : {"1", "100", "200001", "200100", "1000", "210000", "300000", "0.5", "-1"}) {
+    const std::string call = std::string("CYCLE800(0,\"TC\",") + state + ",57,0,0,0,0,90,0,0,0,0,1)";
+    expect_open(call + "\nG0 X1 Y1 Z1", "this form of CYCLE800", full_setup());
+  }
+  expect_open("CYCLE800(0,\"TC\",0,57,0,0,0,0,90,0,0,0,0,1,0,2)\nG0 X1 Y1 Z1", "this form of CYCLE800", full_setup());
+  expect_open("G18 D0\nCYCLE800(0,\"TC\",0,57,0,0,0,0,90,0,0,0,0,1)\nG0 X1 Y1 Z1", "plane of G17", full_setup());
   expect_open("TRANS A5\nG0 X1", "TRANS");
   expect_open("TRANS X5 G1\nG0 X1", "TRANS");
   expect_open("SCALE X0\nG0 X1", "a value of SCALE");
