@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cli/commands/compare_paths.h"
-#include "cli/options/joint_options.h"
 #include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/exit_code.h"
@@ -43,16 +42,10 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
       .add_option("--json", arguments.json_file,
                   "Write the comparison as JSON (- for standard output, without other text)")
       ->type_name("FILE");
-  const std::string usual_group = command.option_defaults()->get_group();
   command.add_flag("--paths", arguments.are_paths,
                    "OLD and NEW are two readings of a toolpath, such as CL data and the program made of it: show the "
                    "largest distance of their tips and axes");
-  command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->group(kMachineGroup);
-  add_joint_options(command, arguments.stated.joints);
-  command.add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
-  add_options(command, arguments.reading, reading_options());
-  command.option_defaults()->group(usual_group);
-  add_input_limit(command, arguments.input);
+  add_program_reading(command, arguments, MachineOption::possible);
   add_verbosity(command, arguments, "List the unchanged findings too (not with -q)");
   command.footer(
       "Example:\n"

@@ -3,8 +3,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "cli/machine/machine_choice.h"
-#include "cli/options/reading_options.h"
+#include "cli/commands/program_reading.h"
 #include "cli/terminal/print_diagnostics.h"
 
 namespace CLI {
@@ -13,14 +12,11 @@ class App;
 
 namespace gouge {
 
-struct CompareArguments : Verbosity {
+struct CompareArguments : Verbosity, ProgramReading {
   std::string before, after;
   std::string same_within = "0.001";
   std::string html_file, json_file;  ///< "-": standard output, which then has nothing else
-  InputLimit input;
-  bool are_paths = false;  ///< OLD and NEW are toolpaths
-  StatedMachine stated;    ///< machine of a program, for paths
-  ReadingArguments reading;
+  bool are_paths = false;            ///< OLD and NEW are toolpaths
 };
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments);

@@ -4,8 +4,6 @@
 #include <ostream>
 
 #include "cli/commands/machine_words.h"
-#include "cli/machine/program_files.h"
-#include "cli/machine/program_machine.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
@@ -39,24 +37,11 @@ std::size_t count_unchecked(const Toolpath& path) {
 }  // namespace
 
 int run_compare_paths(const CompareArguments& arguments, double same_within_mm, std::ostream& out, std::ostream& err) {
-  Result<ReadOptions> options = understand(arguments.reading);
-  if (!options) return fail(err, {options.error()});
-  const std::uint64_t max_bytes = arguments.input.max_bytes;
-  std::string bytes;
-  if (auto error = read_tool_lengths(arguments.reading, max_bytes, *options, bytes)) return fail(err, {*error});
-  if (!arguments.stated.machine.empty()) {
-    const Result<Machine> machine = load_machine(arguments.stated, max_bytes, bytes);
-    if (!machine) return fail(err, {machine.error()});
-    options->program =
-        with_machine(options->program, *machine, arguments.stated, std::nullopt, std::nullopt, std::nullopt);
-  }
+  const Result<ToolpathReader> reader = ToolpathReader::make(arguments);
+  if (!reader) return fail(err, {reader.error()});
   std::vector<Toolpath> paths;
   for (const std::string& file : {arguments.before, arguments.after}) {
-    Result<std::string> text = read_file(file, max_bytes);
-    if (!text) return fail(err, {text.error()});
-    ReadOptions of_file = *options;
-    of_file.program = with_files_beside(options->program, file, max_bytes, {});
-    ReadOutcome outcome = read_toolpath(file, std::move(*text), of_file);
+    ReadOutcome outcome = reader->read(file);
     if (!outcome.toolpath) return fail(err, outcome.errors);
     print(err, outcome.toolpath->notes);
     paths.push_back(std::move(*outcome.toolpath));

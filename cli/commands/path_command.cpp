@@ -8,11 +8,8 @@
 #include <utility>
 
 #include "cli/job/scene_files.h"
-#include "cli/machine/program_files.h"
-#include "cli/machine/program_machine.h"
 #include "cli/options/command_doc.h"
 #include "cli/options/job_options.h"
-#include "cli/options/joint_options.h"
 #include "cli/output/json_text.h"
 #include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
@@ -214,19 +211,6 @@ int run_plot(const PathArguments& arguments, const RigidTransform& place, const 
   return outcome ? kExitClean : fail(err, {outcome.error()}, kExitInternal);
 }
 
-/// Adds the facts of files to the set-up of a program: lengths of tools and the machine. Returns the first error.
-std::optional<Diagnostic> complete_program(const PathArguments& arguments, ReadOptions& options) {
-  std::string bytes;
-  if (auto error = read_tool_lengths(arguments.reading, arguments.input.max_bytes, options, bytes)) return error;
-  if (arguments.stated.machine.empty()) return std::nullopt;
-  const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
-  if (!machine) return machine.error();
-  options.program = with_machine(options.program, *machine, arguments.stated, std::nullopt,
-                                 stated_tolerance(machine->control.tip_tolerance_mm),
-                                 stated_tolerance(machine->control.axis_tolerance_rad));
-  return std::nullopt;
-}
-
 constexpr const char* kStatus =
     "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, 5 output unwritable.";
 
@@ -243,13 +227,7 @@ CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* n
   added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
-  const std::string usual_group = added->option_defaults()->get_group();
-  added->add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->group(kMachineGroup);
-  add_joint_options(*added, arguments.stated.joints);
-  added->add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
-  add_options(*added, arguments.reading, reading_options());
-  added->option_defaults()->group(usual_group);
-  add_input_limit(*added, arguments.input);
+  add_program_reading(*added, arguments, MachineOption::possible);
   return *added;
 }
 
@@ -315,9 +293,9 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
   if (arguments.is_machine) return run_path_machine(arguments.machine, out, err);
-  Result<ReadOptions> options = understand(arguments.reading);
-  if (!options) return fail(err, {options.error()});
-  options->keeps_origins = arguments.is_convert;
+  Result<ToolpathReader> reader = ToolpathReader::make(arguments);
+  if (!reader) return fail(err, {reader.error()});
+  if (arguments.is_convert) reader->keep_origins();
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
   const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
   if (!is_svg) return fail(err, {is_svg.error()});
@@ -329,11 +307,7 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   if (const auto status =
           refuse_outputs(inputs, asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
     return *status;
-  Result<std::string> bytes = read_file(arguments.path, arguments.input.max_bytes);
-  if (!bytes) return fail(err, {bytes.error()});
-  if (auto error = complete_program(arguments, *options)) return fail(err, {*error});
-  options->program = with_files_beside(options->program, arguments.path, arguments.input.max_bytes, {});
-  const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
+  const ReadOutcome outcome = reader->read(arguments.path);
   if (!outcome.toolpath) return fail(err, outcome.errors);
   if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);
   if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, out, err);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/commands/path_machine.h"
-#include "cli/options/reading_options.h"
+#include "cli/commands/program_reading.h"
 
 namespace CLI {
 class App;
@@ -13,11 +13,8 @@ class App;
 
 namespace gouge {
 
-struct PathArguments {
+struct PathArguments : ProgramReading {
   std::string path;
-  ReadingArguments reading;
-  InputLimit input;
-  StatedMachine stated;  ///< machine of a program
   std::string json_file;
   std::string output, to;          ///< for convert and plot
   std::vector<std::string> parts;  ///< for plot

@@ -9,18 +9,13 @@
 #include <vector>
 
 #include "cli/commands/machine_words.h"
-#include "cli/machine/program_files.h"
-#include "cli/machine/program_machine.h"
 #include "cli/machine/rate_notes.h"
-#include "cli/options/joint_options.h"
 #include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
-#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
-#include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/rotary_law.h"
 #include "lib/path/path_info.h"
 #include "postproc/formats/read_toolpath.h"
@@ -108,13 +103,7 @@ void add_common(CLI::App& command, PathMachineArguments& arguments) {
   command.add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
-  command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
-  add_joint_options(command, arguments.stated.joints);
-  command.add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
-  const std::string usual_group = command.option_defaults()->get_group();
-  add_options(command, arguments.reading, reading_options());
-  command.option_defaults()->group(usual_group);
-  add_input_limit(command, arguments.input);
+  add_program_reading(command, arguments, MachineOption::required);
 }
 
 }  // namespace
@@ -138,10 +127,6 @@ void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments)
       .add_option("--csv", arguments.csv_file, "Write the joint values of every record as CSV; - for standard output")
       ->type_name("FILE")
       ->required();
-  command
-      .add_option("--tool-length", arguments.tool_length,
-                  "Length from the gauge point to the tip; required for a machine with a rotary head")
-      ->type_name("LENGTH");
   command.footer(
       std::string("Example:\n"
                   "  gougecheck path joints op10.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
@@ -151,49 +136,35 @@ void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments)
 }
 
 int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err) {
-  const Result<ReadOptions> options = understand(arguments.reading);
-  if (!options) return fail(err, {options.error()});
-  std::string bytes;
-  const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
-  if (!machine) return fail(err, {machine.error()});
-  const char* const option = arguments.is_joints ? "--tool-length" : "--height";
-  const std::string& typed = arguments.is_joints ? arguments.tool_length : arguments.height;
-  const bool has_length = !typed.empty();
-  if (!has_length && has_rotary_head(*machine))
+  const Result<ToolpathReader> reader = ToolpathReader::make(arguments);
+  if (!reader) return fail(err, {reader.error()});
+  const Machine& machine = *reader->machine();
+  const std::optional<double>& tool_length_mm = reader->tool_length_mm();
+  if (arguments.is_joints && !tool_length_mm && has_rotary_head(machine))
     return fail(err,
                 {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
-  const Result<double> length = has_length ? understand_length(option, typed, Minimum::zero) : 0.0;
-  if (!length) return fail(err, {length.error()});
+  const Result<double> height = understand_length("--height", arguments.height, Minimum::zero);
+  if (!height) return fail(err, {height.error()});
   if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.stated.machine}},
                                          asked_for({{"--csv", arguments.csv_file}}), err))
     return *status;
-  Result<std::string> text = read_file(arguments.path, arguments.input.max_bytes);
-  if (!text) return fail(err, {text.error()});
-  ReadOptions reading = *options;
-  std::string lengths;
-  if (auto error = read_tool_lengths(arguments.reading, arguments.input.max_bytes, reading, lengths))
-    return fail(err, {*error});
-  reading.program = with_machine(reading.program, *machine, arguments.stated, std::nullopt,
-                                 stated_tolerance(machine->control.tip_tolerance_mm),
-                                 stated_tolerance(machine->control.axis_tolerance_rad));
-  reading.program = with_files_beside(reading.program, arguments.path, arguments.input.max_bytes, {});
-  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), reading);
+  ReadOutcome outcome = reader->read(arguments.path);
   if (!outcome.toolpath) return fail(err, outcome.errors);
   Toolpath& path = *outcome.toolpath;
   print(err, path.notes);
-  print(err, describe_missing_axes(*machine, arguments.stated.machine));
-  const auto tool_length_mm = arguments.is_joints && has_length ? std::optional(*length) : std::nullopt;
-  print(err, choose_joints_of(*machine, MotionLaw(), tool_length_mm, false, path));
-  if (arguments.is_joints) print(err, describe_rate_excesses(*machine, machine->control.feed_law, path));
+  print(err, describe_missing_axes(machine, arguments.stated.machine));
+  print(err, choose_joints_of(machine, MotionLaw(), tool_length_mm, false, path));
+  if (arguments.is_joints) print(err, describe_rate_excesses(machine, machine.control.feed_law, path));
   print(err, describe_opposite_axes(path));
   const JointPath& joints = *path.joints;
   if (arguments.is_joints) {
-    const Outcome written = write_output(arguments.csv_file, joints_csv(*machine, path, joints, *length), out);
+    const Outcome written =
+        write_output(arguments.csv_file, joints_csv(machine, path, joints, tool_length_mm.value_or(0)), out);
     return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
   }
-  out << machine_row("file", path.file) << machine_row("machine", machine->name)
-      << gaps_text(path, gaps_of(*machine, path, joints, false), "feeds", *length)
-      << gaps_text(path, gaps_of(*machine, path, joints, true), "rapids", *length);
+  out << machine_row("file", path.file) << machine_row("machine", machine.name)
+      << gaps_text(path, gaps_of(machine, path, joints, false), "feeds", *height)
+      << gaps_text(path, gaps_of(machine, path, joints, true), "rapids", *height);
   return kExitClean;
 }
 

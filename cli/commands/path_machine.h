@@ -3,8 +3,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "cli/machine/machine_choice.h"
-#include "cli/options/reading_options.h"
+#include "cli/commands/program_reading.h"
 
 namespace CLI {
 class App;
@@ -13,11 +12,8 @@ class App;
 namespace gouge {
 
 /// Arguments of `gougecheck path laws` and `path joints`.
-struct PathMachineArguments {
-  std::string path, csv_file, height = "100", tool_length;
-  StatedMachine stated;
-  ReadingArguments reading;
-  InputLimit input;
+struct PathMachineArguments : ProgramReading {
+  std::string path, csv_file, height = "100";
   bool is_joints = false;
 };
 

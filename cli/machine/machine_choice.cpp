@@ -225,22 +225,25 @@ Result<MotionLaw> make_motion_law(const Machine& machine, const TurnLaws& laws, 
   return law;
 }
 
-Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
-                                                    std::uint64_t max_bytes, const MachineOptionNames& names) {
+std::optional<Diagnostic> find_wrong_machine_fact(const StatedMachine& stated, const MachineOptionNames& names) {
   const std::string needed = stated.machine.empty() ? names.machine : "";
-  if (const auto wrong = find_wrong_law(stated.feed_law, names.feed_law, true, needed)) return *wrong;
-  if (const auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, false, needed)) return *wrong;
+  if (auto wrong = find_wrong_law(stated.feed_law, names.feed_law, true, needed)) return wrong;
+  if (auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, false, needed)) return wrong;
   if (const std::optional<TurnLaw> joints = turn_law_called(stated.joint_rapid_law);
       !stated.joint_rapid_law.empty() && (!joints || !runs_joints(*joints)))
     return make_error("usage",
                       names.joint_rapid_law + " '" + stated.joint_rapid_law + "': expected joint or independent");
-  if (stated.machine.empty()) {
-    std::vector<std::string> facts = stated_texts(stated.joints, names.joints);
-    if (!stated.zero.empty()) facts.push_back(names.zero + " " + stated.zero);
-    if (facts.empty()) return std::optional<ChosenMachine>();
-    return make_error("usage",
-                      facts.front() + ": expected " + names.machine + " beside it: joints are those of a machine");
-  }
+  if (needed.empty()) return std::nullopt;
+  std::vector<std::string> facts = stated_texts(stated.joints, names.joints);
+  if (!stated.zero.empty()) facts.push_back(names.zero + " " + stated.zero);
+  if (facts.empty()) return std::nullopt;
+  return make_error("usage", facts.front() + ": expected " + needed + " beside it: joints are those of a machine");
+}
+
+Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
+                                                    std::uint64_t max_bytes, const MachineOptionNames& names) {
+  if (const auto wrong = find_wrong_machine_fact(stated, names)) return *wrong;
+  if (stated.machine.empty()) return std::optional<ChosenMachine>();
   std::string bytes;
   Result<Machine> machine = load_machine(stated, max_bytes, bytes, names);
   if (!machine) return machine.error();

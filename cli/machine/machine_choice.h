@@ -26,6 +26,11 @@ inline constexpr const char* kZeroHelp =
     "angles in degrees about the fixed axes X, Y, Z. Limits of linear joints then apply (default: not known, parallel to "
     "the axes of the machine)";
 
+/// Help of --joint-rapid-law.
+inline constexpr const char* kJointRapidLawHelp =
+    "Law of rapid moves without tool centre point control in a program (G-code). joint: all joints arrive together. "
+    "independent: each joint runs at its own rate (default: that of the control)";
+
 /// Names of options in messages: those of the command line, or others.
 struct MachineOptionNames {
   std::string machine = "--machine", feed_law = "--feed-law", rapid_law = "--rapid-law", rapid = "--rapid",
@@ -65,11 +70,15 @@ struct ChosenMachine {
 [[nodiscard]] Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_bytes, std::string& bytes,
                                            const MachineOptionNames& names = {});
 
+/// Returns the error of a law with another name, of a law that needs a machine without one, or of facts of joints without
+/// a machine. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_wrong_machine_fact(const StatedMachine& stated,
+                                                                const MachineOptionNames& names = {});
+
 /// Returns the machine of a job, with the laws that the user states, else those that its control promises. None: no
 /// machine is stated.
-/// Errors: (1) those of load_machine. (2) usage: a law of another name, a law that needs a machine without one, facts
-/// of joints without a machine, dogleg rapids beside a law of all joints. (3) machine-law: nothing states a law, or a law needs a fact that is not given,
-/// or intervals do not bound the tip.
+/// Errors: (1) those of find_wrong_machine_fact and load_machine. (2) usage: dogleg rapids beside a law of all joints.
+/// (3) machine-law: nothing states a law, or a law needs a fact that is not given, or intervals do not bound the tip.
 [[nodiscard]] Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});

@@ -168,8 +168,7 @@ OptionRows<JobArguments> check_rows() {
        .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
       {.name = "--joint-rapid-law",
        .field = &A::joint_rapid_law,
-       .help = "Law of rapid moves without tool centre point control in a program (G-code). joint: all joints arrive "
-               "together. independent: each joint runs at its own rate (default: that of the control)",
+       .help = kJointRapidLawHelp,
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .choices = {"joint", "independent"}},

@@ -1,0 +1,73 @@
+#include "cli/commands/program_reading.h"
+
+#include <CLI/CLI.hpp>
+#include <utility>
+
+#include "cli/machine/program_files.h"
+#include "cli/machine/program_machine.h"
+#include "cli/options/joint_options.h"
+#include "cli/terminal/length_text.h"
+#include "lib/base/files.h"
+
+namespace gouge {
+
+void add_program_reading(CLI::App& command, ProgramReading& arguments, MachineOption machine) {
+  const std::string usual_group = command.option_defaults()->get_group();
+  CLI::Option* const chosen =
+      command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->group(kMachineGroup);
+  if (machine == MachineOption::required) chosen->required();
+  add_joint_options(command, arguments.stated.joints);
+  command.add_option("--joint-rapid-law", arguments.stated.joint_rapid_law, kJointRapidLawHelp)
+      ->type_name("joint|independent")
+      ->group(kMachineGroup);
+  command
+      .add_option("--tool-length", arguments.tool_length,
+                  "Length from the gauge point of --machine to the tool tip; a rotary head requires it")
+      ->type_name("LENGTH")
+      ->group(kMachineGroup);
+  command.add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
+  add_options(command, arguments.reading, reading_options());
+  command.option_defaults()->group(usual_group);
+  add_input_limit(command, arguments.input);
+}
+
+Result<ToolpathReader> ToolpathReader::make(const ProgramReading& arguments) {
+  ToolpathReader reader;
+  reader.max_bytes_ = arguments.input.max_bytes;
+  Result<ReadOptions> options = understand(arguments.reading);
+  if (!options) return options.error();
+  reader.options_ = std::move(*options);
+  std::string bytes;
+  if (auto error = read_tool_lengths(arguments.reading, reader.max_bytes_, reader.options_, bytes)) return *error;
+  StatedMachine stated = arguments.stated;
+  if (!arguments.tool_length.empty()) {
+    const Result<double> length = understand_length("--tool-length", arguments.tool_length, Minimum::zero);
+    if (!length) return length.error();
+    stated.tool_length_mm = reader.tool_length_mm_ = *length;
+  }
+  if (auto error = find_wrong_machine_fact(stated)) return *error;
+  if (stated.machine.empty()) return reader;
+  Result<Machine> machine = load_machine(stated, reader.max_bytes_, bytes);
+  if (!machine) return machine.error();
+  Control& control = machine->control;
+  if (const auto law = turn_law_called(stated.joint_rapid_law)) control.joint_rapid_law = law;
+  reader.options_.program =
+      with_machine(reader.options_.program, *machine, stated, std::nullopt, stated_tolerance(control.tip_tolerance_mm),
+                   stated_tolerance(control.axis_tolerance_rad));
+  reader.machine_ = std::move(*machine);
+  return reader;
+}
+
+ReadOutcome ToolpathReader::read(const std::string& file) const {
+  Result<std::string> bytes = read_file(file, max_bytes_);
+  if (!bytes) {
+    ReadOutcome unreadable;
+    unreadable.errors.push_back(bytes.error());
+    return unreadable;
+  }
+  ReadOptions options = options_;
+  options.program = with_files_beside(options.program, file, max_bytes_, {});
+  return read_toolpath(file, std::move(*bytes), options);
+}
+
+}  // namespace gouge
