@@ -10,6 +10,7 @@
 #include <typeinfo>
 
 #include "cli/run.h"
+#include "cli/terminal/end_note.h"
 #include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/temporary_name.h"
@@ -45,10 +46,11 @@ void load_unwinder() {
   ::backtrace(&frame, 1);
 }
 
-// Removes temporary names. The second signal, raised when this handler returns, takes the default action, so a parent
+// Removes temporary names, and prints how to go on. The second signal, raised when this handler returns, takes the default action, so a parent
 // that waits for the program sees which signal ended it.
 void tidy_up_and_end(int signal) {
   gouge::remove_temporary_names();
+  gouge::print_end_note();
   ::raise(signal);
 }
 

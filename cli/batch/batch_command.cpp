@@ -14,6 +14,8 @@
 #include "cli/batch/batch_watch.h"
 #include "cli/batch/settled_files.h"
 #include "cli/output/report_folder.h"
+#include "cli/terminal/end_note.h"
+#include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -74,7 +76,7 @@ class Batch {
       ranks_->share(queue->group_ends);
       ran_.insert(queue->numbers.begin(), queue->numbers.end());
     }
-    const Outcome ran = batch.run(plan);
+    const Outcome ran = run_jobs(batch, plan);
     tell(copies);
     if (!ran) status = fail(err_, {ran.error()}, kExitInternal);
     if (!ranks_->is_first()) store_.reset();
@@ -93,6 +95,17 @@ class Batch {
   [[nodiscard]] bool is_busy() const { return is_busy_; }
 
  private:
+  // Runs the jobs. A watched folder needs no advice, because its next run takes the finished jobs by itself.
+  Outcome run_jobs(BatchRun& batch, const BatchPlan& plan) {
+    std::optional<EndNote> note;
+    if (ranks_->is_first() && !arguments_.is_quiet && arguments_.watch.empty())
+      note.emplace(
+          std::string(is_terminal(err_) ? "\n" : "") +
+          "gougecheck: note: the batch was interrupted; what is done is kept: the same command with --resume goes on "
+          "from there [batch-interrupted]\n");
+    return batch.run(plan);
+  }
+
   std::optional<int> prepare() {
     if (const auto wrong = find_contradiction(arguments_)) return refuse(*wrong);
     const Result<Shard> shard = understand_shard(arguments_.shard);

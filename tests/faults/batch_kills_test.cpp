@@ -73,6 +73,30 @@ TEST(BatchKills, AreResumedToWhatAnUndisturbedBatchLeaves) {
   EXPECT_TRUE(kills < 3 || killed > 0);
 }
 
+TEST(BatchKills, SayHowToGoOnUnlessTheyAreQuiet) {
+  const std::string folder = testing_samples::fresh_folder();
+  ASSERT_EQ(testing_samples::run_make_samples(folder).exit_status, 0);
+  testing_samples::write_job_list(folder, kSamples);
+  const double seconds = run_program(folder, {"batch", "jobs.json", "-o", "whole", "-q"}, {}).seconds;
+  const std::string said = "--resume goes on from there [batch-interrupted]\n";
+  long killed = 0, advised = 0;
+  for (const double share : {0.2, 0.35, 0.5, 0.65}) {
+    for (const char* const output : {"-q", "-v"}) {
+      Misfortune misfortune;
+      misfortune.signal = SIGINT;
+      misfortune.after_s = seconds * share;
+      const Ending ending = run_program(folder, {"batch", "jobs.json", "-o", "killed", "--fresh", output}, misfortune);
+      const bool is_advised = ending.err.ends_with(said);
+      if (ending.signal == SIGINT) ++killed;
+      if (is_advised) ++advised;
+      EXPECT_TRUE(!is_advised || (ending.signal == SIGINT && output[1] == 'v')) << ending.err;
+      fs::remove_all(folder + "/killed");
+    }
+  }
+  EXPECT_GT(killed, 0);
+  EXPECT_GT(advised, 0);
+}
+
 #ifdef GOUGE_MPI
 constexpr bool kHasMpi = true;
 #else
