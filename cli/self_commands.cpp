@@ -36,8 +36,7 @@ Result<const CLI::App*> command_called(const CLI::App& app, const std::vector<st
     if (next == nullptr) {
       const std::string nearest = nearest_name(word, names);
       return make_error("usage", "'" + printable(word) + "' is no command of " + document(*at).name +
-                                     (names.empty() ? "" : "; expected " + listed(names, " or ")) +
-                                     (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+                                     (names.empty() ? "" : "; expected " + listed(names, " or ")) + meant(nearest));
     }
     at = next;
   }

@@ -219,7 +219,8 @@ std::string why_not_writable(const std::string& name) {
   const std::optional<Dialect> dialect = dialect_called(name);
   if (dialect && dialect->is_written) return {};
   return "expected one of " + writable_dialect_names() +
-         (dialect ? "; " + std::string(dialect->id) + " can be read but not written" : "");
+         (dialect ? "; " + std::string(dialect->id) + " can be read but not written"
+                  : "; programs of a control (G-code) are not written");
 }
 
 CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {

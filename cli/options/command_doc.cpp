@@ -10,14 +10,6 @@
 namespace gouge {
 namespace {
 
-std::vector<std::string> choices_of(const std::string& type) {
-  if (type != "DIALECT" && type != kWritableDialect) return choices_in(type);
-  std::vector<std::string> names =
-      CLI::detail::split(type == "DIALECT" ? dialect_names() : writable_dialect_names(), ',');
-  for (std::string& name : names) CLI::detail::trim(name);
-  return names;
-}
-
 std::string first_name(const CLI::Option& option) {
   return option.get_lnames().empty() ? option.get_name() : "--" + option.get_lnames().front();
 }
@@ -35,6 +27,14 @@ std::string value_of(const std::string& type, const std::vector<std::string>& ch
 }
 
 }  // namespace
+
+std::vector<std::string> choices_of_type(const std::string& type) {
+  if (type != "DIALECT" && type != kWritableDialect) return choices_in(type);
+  std::vector<std::string> names =
+      CLI::detail::split(type == "DIALECT" ? dialect_names() : writable_dialect_names(), ',');
+  for (std::string& name : names) CLI::detail::trim(name);
+  return names;
+}
 
 std::vector<std::string> choices_in(const std::string& text) {
   const std::size_t open = text.rfind('{'), close = text.rfind('}');
@@ -62,7 +62,7 @@ OptionDoc document(const CLI::Option& option) {
   }
   if (option.get_items_expected_max() > 0) {
     const std::string type = option.get_type_name();
-    doc.choices = choices_of(type);
+    doc.choices = choices_of_type(type);
     doc.value = value_of(type, doc.choices);
     doc.default_value = option.get_default_str();
     if (type == "LENGTH" && !doc.default_value.empty()) doc.default_value = with_units(doc.default_value);

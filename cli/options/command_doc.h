@@ -19,6 +19,9 @@ inline constexpr const char* kWritableDialect = "WRITABLE-DIALECT";
 /// else.
 [[nodiscard]] std::vector<std::string> choices_in(const std::string& text);
 
+/// Returns the choices of an option with that type: dialects, or those of choices_in.
+[[nodiscard]] std::vector<std::string> choices_of_type(const std::string& type);
+
 struct OptionDoc {
   std::vector<std::string> names;    ///< "-o", "--output"; of a positional its one name
   std::string value;                 ///< "FILE", "LENGTH", "auto|always|never"; empty: it takes none

@@ -1,6 +1,7 @@
 #include "cli/options/mesh_limits.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include "cli/terminal/length_text.h"
@@ -12,8 +13,15 @@ namespace {
 constexpr const char* kClearance = "clearance";
 constexpr const char* kTolerance = "tolerance";
 
+// Returns the place of ",word=" behind the name of a file; npos: there is none. A misspelt word is refused later.
 std::size_t begin_of_limits(const std::string& typed) {
-  return std::min(typed.find(std::string(",") + kClearance + "="), typed.find(std::string(",") + kTolerance + "="));
+  std::error_code ignored;
+  if (std::filesystem::exists(typed, ignored)) return std::string::npos;
+  for (std::size_t comma = typed.find(','); comma != std::string::npos; comma = typed.find(',', comma + 1)) {
+    const std::size_t end = std::min(typed.find_first_not_of("abcdefghijklmnopqrstuvwxyz", comma + 1), typed.size());
+    if (end > comma + 1 && end < typed.size() && typed[end] == '=') return comma;
+  }
+  return std::string::npos;
 }
 
 class LimitReader {

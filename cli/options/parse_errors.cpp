@@ -31,8 +31,6 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
   return edits[a.size()][b.size()];
 }
 
-std::string meant(const std::string& name) { return name.empty() ? std::string() : "; did you mean " + name + "?"; }
-
 std::string is_no_command(const std::string& word, const std::string& program,
                           const std::vector<std::string>& commands) {
   return "'" + word + "' is no command of " + program + "; expected " + listed(commands, " or ") +
@@ -258,12 +256,19 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
+std::string meant(const std::string& name) { return name.empty() ? std::string() : "; did you mean " + name + "?"; }
+
 std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
   constexpr std::size_t kShortest = 3, kLong = 8;
-  if (word.size() < kShortest) return {};
+  if (word.size() + 1 < kShortest) return {};
   const auto is_begun = [&](const std::string& name) { return name.starts_with(word); };
   const auto begun = std::find_if(names.begin(), names.end(), is_begun);
   if (begun != names.end() && std::none_of(begun + 1, names.end(), is_begun)) return *begun;
+  if (word.size() < kShortest) return {};
+  // --units for --path-units.
+  const std::string end = "-" + std::string(word.substr(std::min(word.find_first_not_of('-'), word.size())));
+  const auto is_ended = [&](const std::string& name) { return word.starts_with("--") && name.ends_with(end); };
+  if (const auto ended = std::find_if(names.begin(), names.end(), is_ended); ended != names.end()) return *ended;
   std::string nearest;
   std::size_t least = word.size() > kLong ? 4 : 3;
   for (const std::string& name : names) {

@@ -3,8 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "cli/options/command_doc.h"
+#include "cli/options/parse_errors.h"
 #include "cli/options/program_options.h"
 #include "cli/terminal/length_text.h"
+#include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/language/words.h"
@@ -142,7 +145,10 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
   options.program = std::make_shared<const ProgramSetup>(std::move(*program));
   if (!arguments.dialect.empty()) {
     options.dialect = dialect_called(arguments.dialect);
-    if (!options.dialect) return usage_error("--dialect", arguments.dialect, "one of " + dialect_names());
+    if (!options.dialect) {
+      const std::string nearest = nearest_name(in_small_letters(arguments.dialect), choices_of_type("DIALECT"));
+      return usage_error("--dialect", arguments.dialect, "one of " + dialect_names() + meant(nearest));
+    }
   }
   options.unit = unit_called(arguments.units);
   options.is_cutcom_centre = arguments.cutcom == "centre";

@@ -1,6 +1,7 @@
 #include "cli/options/stock_arguments.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include "cli/options/job_options.h"
@@ -39,7 +40,10 @@ BeforeText split_before(const std::string& typed) {
 
 Result<StockShape> understand_stock_shape(const std::string& typed) {
   const std::optional<StockShape> shape = parse_stock_shape(typed);
-  if (!shape) return usage_error(kOption, typed, kStockForms);
+  std::error_code ignored;
+  // A misspelt form, such as bx=2 or parts+2.
+  const bool is_form = names_stock_file(typed) && !is_stl_name(typed) && typed.find_first_of("=+") != std::string::npos;
+  if (!shape || (is_form && !std::filesystem::exists(typed, ignored))) return usage_error(kOption, typed, kStockForms);
   return *shape;
 }
 

@@ -45,8 +45,8 @@ TEST_P(WrongLimits, AreRefusedWithWhatWasTyped) {
 
 INSTANTIATE_TEST_SUITE_P(Typed, WrongLimits,
                          testing::Values("v.stl,clearance=", "v.stl,clearance=-1", "v.stl,clearance=1,clearance=1",
-                                         "v.stl,clearance=1,colour=red", "v.stl,clearance=1e9",
-                                         "v.stl,tolerance=0.02"));
+                                         "v.stl,clearance=1,colour=red", "v.stl,clearance=1e9", "v.stl,tolerance=0.02",
+                                         "v.stl,clearence=1"));
 
 TEST(MeshLimits, OfAFileThatIsGivenTwiceAreRefused) {
   std::vector<std::string> files;

@@ -201,7 +201,9 @@ TEST(ParseErrors, TheNearestNameIsNearAndTheOnlyOneBegun) {
   EXPECT_EQ(nearest_name("--toll", names), "--tool");
   EXPECT_EQ(nearest_name("--xyz", {"--xya", "--xyb"}), "--xya") << "the first of equals";
   EXPECT_EQ(nearest_name("--quite-another", names), "");
+  EXPECT_EQ(nearest_name("--units", {"--junit", "--path-units"}), "--path-units") << "the end of a name";
   EXPECT_EQ(nearest_name("-x", names), "");
+  EXPECT_EQ(nearest_name("nx", {"nx-clsf", "apt"}), "nx-clsf") << "two letters that only one begins with";
 }
 
 }  // namespace

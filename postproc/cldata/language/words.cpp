@@ -210,6 +210,18 @@ Word find_intended_word(std::string_view major) {
   return Word::unknown;
 }
 
+std::string_view similar_word(std::string_view major) {
+  constexpr std::size_t kLong = 5;
+  if (major.size() < kLong || find_word(major) != Word::unknown) return {};
+  for (const Entry& entry : kWords) {
+    if (entry.first.size() >= kLong && is_one_letter_off(entry.first, major)) return entry.first;
+  }
+  for (const HarmlessWord& row : harmless_words()) {
+    if (row.word.size() >= kLong && is_one_letter_off(row.word, major)) return row.word;
+  }
+  return {};
+}
+
 Word find_word(std::string_view major) {
   const auto* const it = std::lower_bound(kWords.begin(), kWords.end(), major, [](const Entry& e, std::string_view m) {
     return compare_ignoring_case(e.first, m) < 0;

@@ -114,6 +114,10 @@ class WordSet {
 /// motion are found.
 [[nodiscard]] Word find_intended_word(std::string_view major);
 
+/// Returns the word of a table that an unknown word of five or more letters was probably meant to be: one character is
+/// missing, wrong or too many, or two are swapped ("FEDRATE" for FEDRAT). Empty: there is none.
+[[nodiscard]] std::string_view similar_word(std::string_view major);
+
 /// Returns the word with which `token` ends, such as CYCLE in "OFFCYCLE". It is one of the words that change motion and
 /// have at least four letters.
 [[nodiscard]] Word find_word_at_end(std::string_view token);

@@ -1,6 +1,7 @@
 #include "postproc/cldata/reading/assume_file.h"
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/language/words.h"
 
 namespace gouge {
 namespace {
@@ -59,6 +60,12 @@ Assumption completeness_fact(const FileFacts& facts) {
   return fact;
 }
 
+// Returns a word that is not understood, with the one that it was probably meant to be.
+std::string with_similar(const std::string& word) {
+  const std::string_view similar = similar_word(word);
+  return similar.empty() ? word : word + " (did you mean " + std::string(similar) + "?)";
+}
+
 Assumption statements_fact(const Toolpath& path) {
   constexpr std::size_t kMaxNamed = 5;
   Assumption fact{.subject = Subject::statements, .value = "all understood", .code = "path-words"};
@@ -69,7 +76,7 @@ Assumption statements_fact(const Toolpath& path) {
   std::vector<std::string> words;
   for (const auto& [word, times] : path.words_not_understood) {
     count += times;
-    if (words.size() < kMaxNamed) words.push_back(word);
+    if (words.size() < kMaxNamed) words.push_back(with_similar(word));
   }
   const std::size_t more = path.words_not_understood.size() - words.size();
   if (more > 0) words.push_back(std::to_string(more) + " more");

@@ -64,6 +64,17 @@ TEST(AssumeFile, WordsThatAreNotUnderstoodAreNamed) {
   EXPECT_EQ(unknown.evidence, "2 statements with words or arguments that are not understood: FROBNI");
 }
 
+TEST(AssumeFile, WordsOneLetterOffAreNamedWithTheWordThatWasMeant) {
+  const auto named = [](const std::string& word) {
+    const std::string evidence = fact_in("UNITS/MM\n" + word + "/1\nGOTO/1,2,3\nFINI\n", Subject::statements).evidence;
+    return evidence.substr(evidence.find(": ") + 2);
+  };
+  EXPECT_EQ(named("FEDRATE"), "FEDRATE (did you mean FEDRAT?)");
+  EXPECT_EQ(named("SPINDLE"), "SPINDLE (did you mean SPINDL?)");
+  EXPECT_EQ(named("COLONT"), "COLONT (did you mean COOLNT?)");
+  EXPECT_EQ(named("HEADS"), "HEADS");
+}
+
 TEST(AssumeFile, TheFrameAndTheDialectNameWhereTheyComeFrom) {
   const std::string nx = "TOOL PATH/A,TOOL,B\nMSYS/0,0,5,1,0,0,0,0,1\nGOTO/1,2,3\nEND-OF-PATH\n";
   EXPECT_EQ(fact_in(nx, Subject::frame).basis, Basis::derived);
