@@ -87,16 +87,21 @@ Assumption frame_of_program(const ProgramSetup& setup, const ProgramMotion& moti
     fact.evidence = "positions are taken as those of the tip in work offset " + offset +
                     (setup.machine ? ", with the rotary joints at 0" : "");
   }
-  if (!motion.has_lengths())
+  if (motion.has_lengths()) return fact;
+  const std::size_t needed_line = motion.length_needed_line();
+  if (needed_line == 0 && motion.tools_loaded() == 0) {
     fact.evidence += "; the program applies no tool length, so the work offset includes that of its tool";
-  if (const std::size_t line = motion.length_needed_line(); line > 0) {
-    fact.basis = Basis::unknown;
-    fact.line = line;
-    fact.evidence = "the program applies no tool length, and from line " + std::to_string(line) +
-                    " on the place of the tip depends on it";
-    fact.remedy =
-        "apply the length in the program (G43), or state that positions are those of the tip with --assume frame";
+    return fact;
   }
+  fact.basis = Basis::unknown;
+  fact.evidence = "the program loads a tool and applies no tool length";
+  if (needed_line > 0) {
+    fact.line = needed_line;
+    fact.evidence = "the program applies no tool length, and from line " + std::to_string(needed_line) +
+                    " on the place of the tip depends on it";
+  }
+  fact.remedy =
+      "apply the length in the program (G43), or state that positions are those of the tip with --assume frame";
   return fact;
 }
 

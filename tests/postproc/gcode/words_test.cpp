@@ -335,6 +335,53 @@ TEST(GcodeWords, ThatDoNotRunAreNoted) {
             "");
 }
 
+/// Returns the fact about the frame of a program.
+Assumption frame_in(const std::string& text, const ProgramSetup& setup = {}) {
+  for (const Assumption& fact : path_of_program(text, "haas", setup).assumptions)
+    if (fact.subject == Subject::frame) return fact;
+  ADD_FAILURE() << text;
+  return {};
+}
+
+TEST(GcodeWords, OfALengthAreMissedWhereAToolIsLoaded) {
+  const std::string start = "G17 G21 G90 G94 G40 G80 G98\n", moves = "G0 X0. Y0. Z50.\nG1 X5. F9.\nM30\n";
+  const Assumption forgotten = frame_in(start + "T1 M6\n" + moves);
+  EXPECT_EQ(forgotten.basis, Basis::unknown);
+  EXPECT_EQ(forgotten.evidence, "the program loads a tool and applies no tool length");
+  EXPECT_NE(forgotten.remedy.find("G43"), std::string::npos);
+  EXPECT_EQ(frame_in(start + "T1 M6\nG43 H1\n" + moves).basis, Basis::by_default);
+  EXPECT_EQ(frame_in(start + moves).basis, Basis::by_default) << "the one tool of a simple machine";
+}
+
+TEST(GcodeWords, OfAFirstPlaceNameWhatMakesItUnknown) {
+  const ReadOutcome outcome =
+      read_program("G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG43 H1\nG0 X-10 Y5 Z20\nG1 Z0 F500\nM30\n", "haas");
+  EXPECT_NE(reasons_of(outcome).find("--plain-numbers"), std::string::npos) << reasons_of(outcome);
+}
+
+TEST(GcodeWords, MayFollowAByteOrderMark) {
+  const std::string mark = "\xef\xbb\xbf";
+  for (const char* const control : {"linuxcnc", "haas", "fanuc"}) {
+    EXPECT_TRUE(can_be_clean(read_program(mark + program("G1 X5. F9.\n"), control))) << control;
+    EXPECT_TRUE(can_be_clean(read_program(mark + "%\n" + program("G1 X5. F9.\n") + "%\n", control))) << control;
+  }
+  const std::string wide(
+      "\xff\xfeG\0"
+      "1\0\n\0",
+      8);
+  EXPECT_NE(reasons_of(read_program(wide, "haas")).find("UTF-16"), std::string::npos);
+}
+
+TEST(GcodeWords, OfAToolBesideM6AreOpenOnFanucWhileAnotherToolIsWaiting) {
+  const std::string change = "T3\nM6 T1\nG43 H1 G0 X0. Y0. Z50.\nG1 X5. F9.\n";
+  expect_open(program(change), "fanuc", "T1 stands beside M6 while T3 is waiting");
+  EXPECT_TRUE(can_be_clean(read_program(program(change), "haas")));
+  for (const char* const usual : {"T1\nM6\n", "T3\nM6 T3\n", "T1 M6\nT2\nM6 T2\n", "T1 M6\nT2 M6\n"})
+    EXPECT_TRUE(
+        can_be_clean(read_program(program(std::string(usual) + "G43 G0 X0. Y0. Z50.\nG1 X5. F9.\n"), "linuxcnc")))
+        << usual;
+}
+
 TEST(GcodeWords, GiveEachToolItsLength) {
   ProgramSetup setup;
   setup.lengths_mm = {{1, 100}, {2, 60}};
