@@ -84,8 +84,17 @@ void BlockRunner::take_modes() {
   if (words_.has('S') && !(words_.value('S') >= 0)) return lose_rest("the speed of the spindle is not known", line_);
   if (words_.has('S')) motion_.set_spindle(words_.value('S'));
   if (words_.has('T')) {
-    modes_.next_tool = words_.integer('T');
-    if (!modes_.next_tool || *modes_.next_tool < 0) return lose_rest("the number of the tool is not known", line_);
+    const std::optional<int> stated = words_.integer('T');
+    if (!stated || *stated < 0) return lose_rest("the number of the tool is not known", line_);
+    const bool is_change = words_.row_of(Meaning::tool_change) != nullptr;
+    if (is_change && modes_.has_waiting_tool && modes_.next_tool != stated && index_.control().may_load_waiting_tool)
+      return lose_rest(
+          "T" + std::to_string(*stated) + " stands beside M6 while T" + std::to_string(*modes_.next_tool) +
+              " is waiting, and the builder of the machine states which of both is loaded; expected T in a "
+              "block before M6",
+          line_);
+    modes_.next_tool = stated;
+    modes_.has_waiting_tool = true;
   }
   if (words_.row_of(Meaning::tool_change) != nullptr) change_tool();
   for (const GcodeRow* row : words_.rows()) take_path_control(*row);
@@ -217,6 +226,7 @@ void BlockRunner::change_tool() {
   tool.number = modes_.next_tool;
   tool.line = line_;
   motion_.change_tool(tool);
+  modes_.has_waiting_tool = false;
 }
 
 NextBlock BlockRunner::take_flow() {

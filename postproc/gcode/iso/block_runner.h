@@ -33,6 +33,7 @@ struct GcodeModes {
   bool has_feed = false;  ///< F is stated and not 0, though it may not be known
   std::optional<bool> retracts_to_start;
   std::optional<int> next_tool;
+  bool has_waiting_tool = false;  ///< another tool than the one in the spindle was made ready
 };
 
 /// A drilling cycle in force; coordinates of the program, mm.

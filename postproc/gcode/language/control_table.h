@@ -152,7 +152,8 @@ struct ControlTable {
   bool takes_rapids_to_machine_places = false;  ///< G53 is a rapid whatever motion code is in force
   bool goes_apart_to_machine = false;           ///< G28 and G53 run each axis at its own rate, whatever rapids do
   bool turns_along_arcs = false;                ///< rotary joints may turn along an arc, evenly with it
-  std::size_t program_digits = 0;  ///< digits of P of a call before these may be its repeats; 0: they never are
+  bool may_load_waiting_tool = false;  ///< M6 beside T may load the tool of an earlier T, and make the new one ready
+  std::size_t program_digits = 0;      ///< digits of P of a call before these may be its repeats; 0: they never are
   std::string_view source;
 };
 

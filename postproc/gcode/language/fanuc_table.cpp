@@ -137,6 +137,8 @@ const ControlTable& fanuc_table() {
       .takes_rapids_to_machine_places = true,  // B-64484EN, 7.1
       // B-64484EN, 4.1: nonlinear positioning is used by G53, and by G28 from the intermediate position.
       .goes_apart_to_machine = true,
+      // The machine builder states the order of T and M6 in a block.
+      .may_load_waiting_tool = true,
       // B-64124EN, 12.3: M98 P51002 calls O1002 five times. An option makes program numbers longer.
       .program_digits = 4,
       .source = kFanucCodes,
