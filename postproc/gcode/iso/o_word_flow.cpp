@@ -111,7 +111,10 @@ void ProgramRun::run_o_word(std::string_view flow) {
   const std::string label = take_label(rest);
   const std::string word = take_keyword(rest);
   if (label.empty()) return lose("the label of an O-word is not read");
-  if (word == "sub") {
+  if (word.empty() && is_rest_empty(rest)) {
+    if (!is_first_block())
+      lose("O" + label + " in a line of its own is read as the first block alone, which names the program");
+  } else if (word == "sub") {
     define_sub(label, rest);
   } else if (word == "call") {
     call_o_word(label, rest);
@@ -128,6 +131,14 @@ void ProgramRun::run_o_word(std::string_view flow) {
   } else {
     run_o_loop(label, word, rest);
   }
+}
+
+// Returns whether only comments and blank lines stand before the block that runs.
+bool ProgramRun::is_first_block() const {
+  if (text_ != main_ || !calls_.empty()) return false;
+  for (std::size_t i = text_->begin(); i < at_; ++i)
+    if (!is_rest_empty(trim_blanks(text_->line(i)))) return false;
+  return true;
 }
 
 // Jumps within a subprogram. The interpreter keeps the count of a repeat that a jump leaves.

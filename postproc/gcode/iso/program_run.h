@@ -78,6 +78,7 @@ class ProgramRun {
   void end_loop(int number);
   // LinuxCNC's O-words.
   void run_o_word(std::string_view flow);
+  [[nodiscard]] bool is_first_block() const;
   void define_sub(const std::string& label, std::string_view rest);
   [[nodiscard]] std::optional<Sub> find_sub(const std::string& label);
   [[nodiscard]] bool is_in_structure(std::size_t index) const;

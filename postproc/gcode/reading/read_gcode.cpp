@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/heidenhain/read_heidenhain.h"
 #include "postproc/gcode/iso/read_iso.h"
@@ -56,6 +57,8 @@ std::optional<Diagnostic> find_wrong_byte(const std::string& file, std::string_v
 
 std::optional<Diagnostic> find_unreadable_program(const std::string& file, std::string_view bytes) {
   if (bytes.empty()) return make_error("path-empty", "the file is empty; expected a program", file);
+  if (const auto kind = recognise_file(file, bytes); kind && kind->family == FileFamily::stand_in)
+    return make_error("path-not-cl-data", "is " + std::string(kind->name) + "; " + std::string(kind->advice), file);
   if (bytes.size() > kLongestProgram)
     return make_error("path-too-long",
                       "the file has " + std::to_string(bytes.size()) + " bytes; expected fewer than 4 GiB", file);
@@ -164,7 +167,7 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   if (!has_checked_move(path)) {
     const std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
     return {std::nullopt,
-            {make_error("path-no-motion", "holds no motion whose place is known" + reason, file_name,
+            {make_error("path-no-motion", "holds no motion that can be checked" + reason, file_name,
                         path.moves.empty() ? std::size_t{0} : std::size_t{path.moves.front().line})}};
   }
   if (!motion.is_rest_unknown()) note_blocks_not_run(motion.has_run(), path);

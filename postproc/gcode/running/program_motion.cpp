@@ -81,8 +81,10 @@ ProgramMotion::Reached ProgramMotion::reached(const AxisPlace& to) {
   if (!is_complete(to.xyz))
     return {{},
             chain_.last_pose() ? "the place of the tool is not known"
-                               : "the place of the tool is not known at the start or after a tool change; expected X, "
-                                 "Y and Z in its first position"};
+            : !lost_place_.empty()
+                ? lost_place_
+                : "the place of the tool is not known at the start or after a tool change; expected X, "
+                  "Y and Z in its first position"};
   if (to.axis && std::abs(state_.excess_length_mm) > 0)
     return {{}, "the length that is applied is not that of the tool, whose axis the program states"};
   if (state_.is_length_in_offset && length_needed_line_ == 0 && mapper_.needs_applied_length(state_, to.angles))
@@ -138,9 +140,9 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
   move.tool = tool_;
   move.operation = operation_.resolve();
   move.set_feed(move.kind == MoveKind::rapid ? Feed{0, FeedUnit::rapid} : feed_);
+  move.spindle_rpm = spindle_rpm_;
   move.runs_joints = mapper_.has_machine() && state_.tip_control != TipControl::on;
   move.has_start = chain_.last_pose().has_value();
-  move.spindle_rpm = spindle_rpm_;
   const char* const unknown_start = chain_.unknown_start();
   const bool is_end_known = reached.open.empty();
   move.end = is_end_known ? reached.pose : chain_.last_pose().value_or(Pose{});
@@ -239,7 +241,10 @@ bool ProgramMotion::turns_beyond_law(MoveKind kind, const AxisPlace& to) const {
 void ProgramMotion::go_unchecked(MoveKind kind, const AxisPlace& to, const std::string& reason) {
   const std::string* const doubtful = first_doubt();
   const Reached end = doubtful != nullptr ? Reached{{}, *doubtful} : reached(to);
-  if (doubtful == nullptr && is_approach(kind, to)) return leave_out(to);
+  if (doubtful == nullptr && is_approach(kind, to)) {
+    if (lost_place_.empty()) lost_place_ = reason;
+    return leave_out(to);
+  }
   Move move;
   move.kind = kind;
   add(move, to, end, doubtful != nullptr ? *doubtful : reason);

@@ -210,6 +210,7 @@ class ProgramMotion {
   std::size_t tools_loaded_ = 0;
   std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
   bool are_rapids_together_ = false, has_unknown_step_ = false;
+  std::string lost_place_;  // why coordinates before the first place are not known; empty: none is stated
   std::shared_ptr<JointPath> joints_;
   Tally approach_, unknown_angles_;
 };

@@ -267,6 +267,7 @@ void ProgramMotion::change_tool(const PathTool& tool) {
   chain_.break_off();
   chain_.note_loading();
   has_unknown_step_ = false;
+  lost_place_.clear();
   place_.xyz.setConstant(AxisPlace::kUnknownCoordinate);
   settle_length();
   is_map_current_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 
@@ -25,7 +26,8 @@ bool has_label(std::string_view line, char letter, int number) {
 
 void add_lines(std::string_view text, SourceStatements& lines) {
   std::size_t number = 0;
-  for (std::size_t at = 0; at < text.size();) {
+  const std::size_t begin = text.size() - without_byte_order_mark(text).size();
+  for (std::size_t at = begin; at < text.size();) {
     const std::size_t found = text.find('\n', at);
     const std::size_t next = found == std::string_view::npos ? text.size() : found + 1;
     ++number;

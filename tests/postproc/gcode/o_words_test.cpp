@@ -133,6 +133,12 @@ TEST(OWordRepeats, OfASubAndOfItsCallerHaveTheirOwnCounts) {
                    6);
 }
 
+TEST(OWordNames, AreTheFirstBlockOfAProgram) {
+  EXPECT_TRUE(can_be_clean(
+      read_program("%\n(a part)\nO1000 (FACE)\nG21 G90 G94 G17\nG0 X0 Y0 Z9\nG1 X4 F9\nM2\n%\n", "linuxcnc")));
+  expect_lost("O1000\nG1 X5\nM2\n", "as the first block alone");
+}
+
 TEST(OWordBreaks, EndTheNextDoOfTheInterpreter) {
   const std::string reason = "do in a program with a break";
   const std::string loop = "#1=0\no3 do\n#1=[#1+1]\nG1 X#1\no3 while [#1 lt 6]\nM2\n";
