@@ -184,9 +184,9 @@ class Reader {
     if (error_) return;
     who = "tool " + label(tool);
     const std::size_t notes_before = library_.notes.size();
-    warn_unknown_keys(
-        entry, pointer, who,
-        {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "cuts", "comment"});
+    warn_unknown_keys(entry, pointer, who,
+                      {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "cuts",
+                       "uncertain", "comment"});
     if (!entry.contains("cutter")) return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
     read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
     if (entry.contains("shank")) tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
@@ -195,7 +195,12 @@ class Reader {
     tool.gauge_length_mm = length(entry, "gauge_length", pointer, who, 0);
     if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
     if (entry.contains("cuts")) read_cuts(entry["cuts"], pointer + "/cuts", who, tool);
-    tool.uncertainty = first_unknown_key(notes_before);
+    tool.uncertainty = text(entry, "uncertain", pointer, who);
+    if (!tool.uncertainty.empty())
+      library_.notes.push_back(make_note("library-uncertain", who + " is not certain: " + tool.uncertainty,
+                                         library_.file, lines_.at(pointer + "/uncertain")));
+    else
+      tool.uncertainty = first_unknown_key(notes_before);
     if (!error_) add_tool(std::move(tool), pointer, who);
   }
 

@@ -67,6 +67,7 @@ class LibraryWriter {
     if (t.stickout_mm > 0) result["stickout"] = length(t.stickout_mm);
     if (t.gauge_length_mm > 0) result["gauge_length"] = length(t.gauge_length_mm);
     if (!t.cuts) result["cuts"] = false;
+    if (!t.uncertainty.empty()) result["uncertain"] = t.uncertainty;
     return result;
   }
 

@@ -19,7 +19,9 @@ class CutterMaker : CatalogueMaker {
   Result<CatalogueCutter> make(CatalogueShape shape) {
     if (Outcome good = check_signs(); !good) return good.error();
     if (Outcome good = need(diameter, "diameter"); !good) return good.error();
-    if (shape != CatalogueShape::chamfer && shape != CatalogueShape::lollipop)
+    const bool may_lack_flutes =
+        shape == CatalogueShape::chamfer || shape == CatalogueShape::lollipop || shape == CatalogueShape::probe;
+    if (!may_lack_flutes)
       if (Outcome good = need(flute_length, "flute length"); !good) return good.error();
     const Result<Cutter> made = dispatch(shape);
     if (!made) return made.error();

@@ -26,6 +26,7 @@ enum class CatalogueShape {
   saw,
   dovetail,  ///< diameter is that of the bottom
   lollipop,
+  probe,   ///< the shape of a lollipop; it removes no stock
   radius,  ///< rounds edges; diameter is that of the small end
   center_drill,
   barrel,

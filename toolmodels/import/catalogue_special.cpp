@@ -20,7 +20,7 @@ class SpecialMaker : CatalogueMaker {
     if (shape == CatalogueShape::slot) return slot();
     if (shape == CatalogueShape::saw) return saw();
     if (shape == CatalogueShape::dovetail) return dovetail();
-    if (shape == CatalogueShape::lollipop) return lollipop();
+    if (shape == CatalogueShape::lollipop || shape == CatalogueShape::probe) return lollipop();
     if (shape == CatalogueShape::radius) return radius();
     if (shape == CatalogueShape::center_drill) return center_drill();
     if (shape == CatalogueShape::barrel) return barrel();

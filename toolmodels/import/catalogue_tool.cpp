@@ -1,6 +1,7 @@
 #include "toolmodels/import/catalogue_tool.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gouge {
 namespace {
@@ -23,7 +24,11 @@ struct Stickout {
 Result<Stickout> find_stickout(const CatalogueTool& tool, const ImportOptions& options, bool has_holder,
                                Diagnostics& notes) {
   const Dimensions& d = tool.dimensions;
-  if (d.value_or(body_length, 0) > 0) return Stickout{d[body_length]->value, d.text(body_length)};
+  if (d.value_or(body_length, 0) > 0) {
+    const bool differs = options.stickout_mm && std::abs(*options.stickout_mm - d[body_length]->value) > kSameShape_mm;
+    if (differs) notes.push_back(guess("--stickout has no effect: the file states " + d.text(body_length)));
+    return Stickout{d[body_length]->value, d.text(body_length)};
+  }
   if (options.stickout_mm) return Stickout{*options.stickout_mm, "--stickout " + mm_text(*options.stickout_mm)};
   if (has_holder)
     return make_error("import-stickout",
@@ -155,6 +160,8 @@ Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& given, const Impor
   const Result<CatalogueCutter> cutter = make_catalogue_cutter(tool.shape, with_taper(tool.dimensions), notes);
   if (!cutter) return cutter.error();
   made.cutter = cutter->cutter;
+  made.cuts = tool.shape != CatalogueShape::probe;
+  if (!made.cuts) notes.push_back(guess("a probe; it removes no stock"));
   const Result<Stickout> stickout = find_stickout(tool, options, !made.holder.empty(), notes);
   if (!stickout) return stickout.error();
   if (Outcome good = check_lengths(tool.dimensions, *stickout); !good) return good.error();

@@ -24,7 +24,7 @@ std::optional<CatalogueShape> freecad_shape(const std::string& word) {
       {"torus", CatalogueShape::bull_nose},
       {"dovetail", CatalogueShape::dovetail},
       {"slittingsaw", CatalogueShape::saw},
-      {"probe", CatalogueShape::lollipop},
+      {"probe", CatalogueShape::probe},
       {"tap", CatalogueShape::full}};
   for (const auto& [name, shape] : kShapes)
     if (name == word) return shape;

@@ -35,7 +35,7 @@ std::optional<CatalogueShape> fusion_shape(const std::string& word) {
       {"circlesegmentoval", CatalogueShape::oval},
       {"circlesegmentlens", CatalogueShape::lens},
       {"circlesegmenttaper", CatalogueShape::taper_segment},
-      {"probe", CatalogueShape::lollipop},
+      {"probe", CatalogueShape::probe},
       {"counterbore", CatalogueShape::flat},
       {"boringbar", CatalogueShape::full},
       {"threadmill", CatalogueShape::full},

@@ -181,6 +181,16 @@ TEST(ImportFusion, ALollipopEndsWhereItsFlutesDo) {
   test::expect_segment(made.library.tools[0].shank.at(0), 6, 6, 25.2);
 }
 
+TEST(ImportFusion, AProbeRemovesNoStock) {
+  const std::string geometry =
+      R"("DC":6,"LCF":5.4,"OAL":72,"LB":36,"SFDM":3,"RE":3,"shoulder-diameter":3,"shoulder-length":36)";
+  const ImportedTools made = import_one("probe", geometry);
+  ASSERT_EQ(made.library.tools.size(), 1u);
+  EXPECT_FALSE(made.library.tools[0].cuts);
+  EXPECT_NE(notes_of(made, "import-guess").find("it removes no stock"), std::string::npos) << all_notes(made);
+  EXPECT_TRUE(import_one("lollipop mill", geometry).library.tools[0].cuts);
+}
+
 TEST(ImportFusion, ASlotMillIsADiscOnANeck) {
   const ImportedTools made = import_one(
       "slot mill",

@@ -145,6 +145,45 @@ TEST(ReadAnyTools, ATableOfLinuxcncIsReadWithAnUncertainty) {
   EXPECT_FALSE(read_any_tools("a.nc", "T1 M6\nG0 X1\n", kMaxBytes).has_value()) << "a program is no table";
 }
 
+TEST(ReadAnyTools, ATableOfLinuxcncKeepsItsUncertaintyInOurFormat) {
+  const Result<ReadTools> read = read_any_tools("tool.tbl", "T1 P1 D6 Z50\n", kMaxBytes);
+  ASSERT_TRUE(read.has_value());
+  const Result<ToolLibrary> again = read_tool_library("lib.json", write_tool_library(read->library));
+  ASSERT_TRUE(again.has_value()) << to_text(again.error());
+  EXPECT_EQ(again->tools[0].uncertainty, read->library.tools[0].uncertainty);
+  ASSERT_EQ(again->notes.size(), 1u);
+  EXPECT_EQ(again->notes[0].code, "library-uncertain");
+}
+
+TEST(ReadAnyTools, WrongRowsOfATableOfLinuxcncAreNamedByTheirLine) {
+  const Result<ImportedTools> made =
+      import_tools("tool.tbl", "T1 P1 D6 Z50\nT-1 P2 D3 Z4\nT3 P3 D10,5 Z50\nT4 P4 D0 Z5\n", std::nullopt, {});
+  ASSERT_TRUE(made.has_value()) << to_text(made.error());
+  EXPECT_EQ(made->library.tools.size(), 1u);
+  const std::string notes = test::notes_of(*made, "import-field");
+  EXPECT_NE(notes.find("tool.tbl:2: error"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("its number is '-1'; expected a whole number from 0"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("D, its diameter, is '10,5'; expected a number with a decimal point"), std::string::npos)
+      << notes;
+  EXPECT_NE(notes.find("tool.tbl:4: error"), std::string::npos) << notes;
+}
+
+TEST(ReadAnyTools, AStickOutCountsInATableOfLinuxcncAndIsNamedWhereItDoesNot) {
+  ImportOptions options;
+  options.stickout_mm = 20;
+  options.holder = {{20, 20, 30}};
+  const Result<ImportedTools> table = import_tools("tool.tbl", "T1 P1 D6 Z50\n", std::nullopt, options);
+  ASSERT_TRUE(table.has_value() && table->library.tools.size() == 1);
+  EXPECT_DOUBLE_EQ(length_mm(table->library.tools[0].cutter), 20);
+  const std::string fusion = R"({"data":[{"type":"flat end mill","unit":"millimeters","description":"x",)"
+                             R"("geometry":{"DC":6,"LCF":18,"OAL":60,"LB":40,"SFDM":6}}]})";
+  const Result<ImportedTools> stated = import_tools("a.json", fusion, std::nullopt, options);
+  ASSERT_TRUE(stated.has_value() && stated->library.tools.size() == 1);
+  EXPECT_NE(test::notes_of(*stated, "import-guess").find("--stickout has no effect: the file states LB 40 mm"),
+            std::string::npos)
+      << test::all_notes(*stated);
+}
+
 TEST(ReadAnyTools, AnyOtherFileIsRefusedWithWhatWasExpected) {
   const std::string expected =
       "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb), NX "
