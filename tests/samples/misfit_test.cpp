@@ -6,7 +6,9 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/support/shapes.h"
 #include "tests/support/source_folder.h"
+#include "tests/support/stl_text.h"
 
 // A path that plainly does not fit its part: refused by `correct`, reported by `check`, explained where it can
 // be.
@@ -59,6 +61,24 @@ TEST(Misfit, WhatGougesHereAndThereIsCorrectedWithoutAWord) {
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", "out.apt"}));
   EXPECT_FALSE(says(ran.err, "path-misfit")) << ran.err;
   EXPECT_TRUE(std::filesystem::exists(sample.path + "/out.apt"));
+}
+
+TEST(Misfit, APartInAnotherUnitIsRefusedAndForced) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/part.stl", shapes::ascii_stl(shapes::cube()));
+  write_text(folder + "/op.apt",
+             "PARTNO/A\nUNITS/MM\nCUTTER/1,0,0.5,0,0,0,20\nGOTO/-10,0.5,5\nGOTO/-10,0.5,0.8\nGOTO/10,0.5,0.8\n"
+             "GOTO/10,0.5,5\nFINI\n");
+  const std::vector<std::string> correct = {"correct", "op.apt", "--part", "part.stl", "-o", "out.apt"};
+  const Outcome refused = run_gougecheck(folder, correct);
+  EXPECT_EQ(refused.exit_status, 1) << refused.err;
+  EXPECT_TRUE(says(refused.err, "smaller than the path")) << refused.err;
+  EXPECT_TRUE(says(refused.err, "--force corrects all the same [path-misfit]")) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder + "/out.apt"));
+  std::vector<std::string> forced = correct;
+  forced.emplace_back("--force");
+  EXPECT_FALSE(says(run_gougecheck(folder, forced).err, "path-misfit"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/out.apt"));
 }
 
 TEST(Misfit, ARealFiveAxisPathWithOneSignWrong) {
