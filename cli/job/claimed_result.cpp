@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/job/claimed_scene.h"
 #include "cli/options/job_options.h"
 #include "cli/options/joint_options.h"
 #include "cli/options/option_table.h"
+#include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "postproc/record/read_record.h"
 #include "postproc/record/words.h"
@@ -166,6 +168,7 @@ class ClaimTaker {
     claim.clearance_mm = move.clearance_mm;
     if (move.witness) claim.witness = witness(*move.witness);
     result_.lines[move.move] = move.line;
+    result_.largest_overcut_mm = std::max(result_.largest_overcut_mm, move.overcut_mm.value_or(0));
     if (!result_.claims.emplace(move.move, claim).second) result_.names_a_move_twice = true;
   }
 
@@ -238,6 +241,21 @@ std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
   return "its exit status is " + std::to_string(result.exit_status) + ", that of its verdict " + std::to_string(status);
 }
 
+/// Compares the largest value of the totals with that of the moves. Both are in the unit of the file there.
+void compare_largest(const char* what, double total_mm, double of_moves_mm, std::vector<std::string>& all) {
+  constexpr double kConversion = 1e-12;  // relative: of two conversions of one number
+  if (std::abs(total_mm - of_moves_mm) <= kConversion * std::max(total_mm, of_moves_mm)) return;
+  all.push_back(std::string("its totals state the largest ") + what + " as " + exact_text(total_mm) +
+                " mm, its moves as " + exact_text(of_moves_mm) + " mm");
+}
+
+/// Finds a file that is not as it was written.
+std::optional<std::string> find_wrong_digest(DigestState digest) {
+  if (digest == DigestState::right) return std::nullopt;
+  if (digest == DigestState::missing) return "it has no digest, with which gougecheck ends each result";
+  return "its digest is of other bytes: it was changed after gougecheck wrote it";
+}
+
 /// Compares the totals with the listed moves.
 void compare_totals(const ClaimedResult& result, std::vector<std::string>& all) {
   const TotalsRecord& t = result.totals;
@@ -250,6 +268,11 @@ void compare_totals(const ClaimedResult& result, std::vector<std::string>& all) 
       all.push_back("its totals count " + std::to_string(totals.at(k)) + " moves as " + state_words()[k] +
                     ", its moves " + std::to_string(counted.at(k)));
   }
+  double depth_mm = 0;
+  for (const auto& [move, claim] : result.claims)
+    if (claim.state == ClaimedState::gouge) depth_mm = std::max(depth_mm, claim.depth_mm);
+  compare_largest("depth", t.worst_depth_mm, depth_mm, all);
+  compare_largest("overcut", t.worst_overcut_mm, result.largest_overcut_mm, all);
 }
 
 }  // namespace
@@ -271,6 +294,7 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
   JsonErrors errors{file, "result-field", &read->json.lines};
   ClaimedResult result = ClaimTaker(file, JsonField(read->json.root, errors), read->record).take();
   if (errors.first) return *errors.first;
+  result.digest = check_digest(bytes);
   CheckOptions check = result.options.check;
   const std::vector<MeshLimit> limits = result.options.limits;
   const Result<JobOptions> understood = understand(result.arguments);
@@ -284,6 +308,7 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
 
 std::vector<std::string> find_contradictions(const ClaimedResult& result) {
   std::vector<std::string> all;
+  if (auto wrong = find_wrong_digest(result.digest)) all.push_back(std::move(*wrong));
   for (const auto& [move, claim] : result.claims) {
     if (move >= result.totals.moves) all.push_back("it names move " + std::to_string(move) + ", which is not there");
     if (claim.state == ClaimedState::clean)

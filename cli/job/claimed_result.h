@@ -8,6 +8,7 @@
 #include "cli/options/job_options.h"
 #include "lib/base/result.h"
 #include "lib/verify/claims.h"
+#include "postproc/record/result_digest.h"
 #include "postproc/record/result_record.h"
 #include "postproc/report/report_model.h"
 
@@ -32,6 +33,8 @@ struct ClaimedResult {
   std::map<std::size_t, MoveClaim> claims;   ///< claims of all moves that are not clean
   std::map<std::size_t, std::size_t> lines;  ///< lines of these moves
   bool names_a_move_twice = false;
+  DigestState digest = DigestState::missing;
+  double largest_overcut_mm = 0;  ///< of all moves
 
   struct Finding {
     ClaimedState state = ClaimedState::not_checked;

@@ -4,6 +4,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/sealed_result.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
@@ -79,7 +80,7 @@ TEST_F(HeadStockSample, VerifyTestsItsWitness) {
     Json& move = report.at("moves").at(0);
     Json& value = std::string(key) == "depth" ? move.at("depth") : move.at("witness").at("point").at(2);
     value = value.get<double>() + more;
-    write_text(sample_.path + "/claim.json", report.dump());
+    write_text(sample_.path + "/claim.json", sealed(report));
     const Outcome ran = run_gougecheck(sample_.path, {"verify", "claim.json"});
     EXPECT_EQ(ran.exit_status, 1) << ran.out;
     return ran.out;
@@ -97,7 +98,7 @@ TEST_F(HeadStockSample, VerifyFindsMaterialInAHeadThatIsSaidToBeClear) {
   open(3);
   ASSERT_EQ(check({"--json", "lower.json"}).exit_status, 1);
   report.at("inputs") = json_of("lower.json").at("inputs");
-  write_text(sample_.path + "/claim.json", report.dump());
+  write_text(sample_.path + "/claim.json", sealed(report));
   const Outcome ran = run_gougecheck(sample_.path, {"verify", "claim.json"});
   EXPECT_EQ(ran.exit_status, 1);
   EXPECT_NE(ran.out.find("deep in a head"), std::string::npos) << ran.out;

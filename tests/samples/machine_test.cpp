@@ -6,6 +6,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/sealed_result.h"
 
 // Machines: laws of motion, joints and limits, as users see them.
 
@@ -97,8 +98,8 @@ TEST_F(PoleCrossing, ACleanResultByTheWrongLawIsRefutedByItsMachine) {
   const std::string more = "\"more\": {}";
   const std::size_t at = text.find(more);
   ASSERT_NE(at, std::string::npos);
-  write_text(sample_.path + "/claimed.json",
-             text.replace(at, more.size(), "\"more\": {\"machine\": \"" + kTrunnion + "\"}"));
+  text.replace(at, more.size(), "\"more\": {\"machine\": \"" + kTrunnion + "\"}");
+  write_text(sample_.path + "/claimed.json", sealed(nlohmann::json::parse(text)));
   EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "claimed.json"}).exit_status, 1);
 }
 

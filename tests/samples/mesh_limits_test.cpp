@@ -5,6 +5,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/sealed_result.h"
 
 namespace gouge::testing_samples {
 namespace {
@@ -40,7 +41,7 @@ TEST(MeshLimits, AreVerifiedFromTheResult) {
   // The same result without the clearance claims a depth that the clamp does not have.
   json result = json::parse(text_of(sample.path + "/result.json"));
   result.at("options").at("more").erase("fixture");
-  write_text(sample.path + "/other.json", result.dump());
+  write_text(sample.path + "/other.json", sealed(result));
   const Outcome refuted = run_gougecheck(sample.path, {"verify", "other.json"});
   EXPECT_NE(refuted.exit_status, 0);
   EXPECT_NE(refuted.out.find("refuted"), std::string::npos) << refuted.out;

@@ -5,6 +5,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/sealed_result.h"
 
 // Remaining stock, as users see it.
 
@@ -147,7 +148,7 @@ TEST_F(StockSample, VerifyTestsTheWitnessesAndTheClearMoves) {
     if (change == "smaller stock") more.at("stock") = "part+4";
     if (change == "other cut") more.at("before") = "op10.apt";
     if (change == "moved cut") more.at("before") = "op10.apt,place=0,2,0";
-    write_text(sample_.path + "/claim.json", report.dump());
+    write_text(sample_.path + "/claim.json", sealed(report));
     return run_gougecheck(sample_.path, {"verify", "claim.json"});
   };
   ASSERT_EQ(run_again({"--stock", "part+5", "--before", "op10.apt,place=0,2,0", "--json", "check.json"}).exit_status,
@@ -184,7 +185,7 @@ TEST_F(StockSample, ACertificateProvesNoDepthBelowTheOneOfItsCheck) {
   Json report = json_of("check.json");
   Json& move = report.at("moves").at(0);
   move.at("depth_upper") = move.at("depth");
-  write_text(sample_.path + "/claim.json", report.dump());
+  write_text(sample_.path + "/claim.json", sealed(report));
   const Outcome ran = run_gougecheck(sample_.path, {"verify", "claim.json", "--certificate", "proofs.gcp"});
   EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("refuted: what the proof names"), std::string::npos) << ran.out;

@@ -6,6 +6,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/sealed_result.h"
 
 // gougecheck verify on the results and certificates of the samples, and on what was made of them by hand.
 
@@ -84,7 +85,7 @@ TEST(VerifyCommand, FindsAToolThatIsNotTheOneThatWasChecked) {
   json result = result_of(sample);
   for (json& input : result.at("inputs"))
     if (input.at("role") == "tools") input["checksum"] = "sha256:" + sum.out.substr(0, 64);
-  write_text(sample.path + "/result.json", result.dump());
+  write_text(sample.path + "/result.json", sealed(result));
   EXPECT_EQ(verify(sample, {}).exit_status, 1);
   EXPECT_EQ(verify(sample).exit_status, 3);  // the certificate is about other inputs
 }
@@ -128,15 +129,37 @@ TEST(VerifyCommand, FindsWhatIsChangedInAResult) {
       {"called near", [](json& r) { r["moves"][0]["state"] = "near"; }},
       {"moves", [](json& r) { r["totals"]["moves"] = 10; }},
       {"tolerance", [](json& r) { r["options"]["tolerance"] = 100; }},
+      {"largest depth", [](json& r) { r["totals"]["worst_depth"] = r["totals"]["worst_depth"].get<double>() / 2; }},
+      {"largest overcut", [](json& r) { r["totals"]["worst_overcut"] = 1e-3; }},
+      {"overcut", [](json& r) { r["moves"][0]["overcut"] = 50; }},
   };
   for (const auto& [what, change] : changes) {
     json changed = whole;
     change(changed);
-    write_text(sample.path + "/result.json", changed.dump());
+    write_text(sample.path + "/result.json", sealed(changed));
     const Outcome ran = verify(sample, {});
     EXPECT_EQ(ran.exit_status, 1) << what << ": " << ran.out << ran.err;
     EXPECT_NE(ran.out.find("refuted: "), std::string::npos) << what;
   }
+}
+
+TEST(VerifyCommand, RefutesAFileWhoseBytesWereChanged) {
+  const SampleFolder sample = checked_sample("pocket");
+  const std::string whole = text_of(sample.path + "/result.json");
+  std::string edited = whole;
+  const std::size_t at = edited.find("\"description\": \"");
+  ASSERT_NE(at, std::string::npos);
+  edited.insert(at + std::string("\"description\": \"").size(), "another ");
+  write_text(sample.path + "/result.json", edited);
+  const Outcome ran = verify(sample);
+  EXPECT_EQ(ran.exit_status, 1) << ran.out;
+  EXPECT_NE(ran.out.find("refuted: its digest is of other bytes"), std::string::npos) << ran.out;
+  json without = json::parse(whole);
+  without.erase("digest");
+  write_text(sample.path + "/result.json", without.dump(1) + "\n");
+  EXPECT_NE(verify(sample).out.find("refuted: it has no digest"), std::string::npos);
+  write_text(sample.path + "/result.json", sealed(json::parse(whole)));
+  EXPECT_EQ(verify(sample).exit_status, 0) << "other blanks under a right digest";
 }
 
 TEST(VerifyCommand, AResultThatSaysWhatCannotBeIsRefusedByLineAndField) {
@@ -167,7 +190,7 @@ TEST(VerifyCommand, AResultThatSaysWhatCannotBeIsRefusedByLineAndField) {
   for (const auto& [message, change] : changes) {
     json changed = whole;
     change(changed);
-    write_text(sample.path + "/result.json", changed.dump(1));
+    write_text(sample.path + "/result.json", sealed(changed));
     const Outcome ran = verify(sample, {});
     EXPECT_EQ(ran.exit_status, 3) << message << ": " << ran.out << ran.err;
     EXPECT_EQ(ran.err.rfind("result.json:", 0), 0U) << ran.err;
@@ -189,7 +212,7 @@ TEST(VerifyCommand, FindsAVerdictThatIsNotThatOfTheMoves) {
   for (const auto& [what, change] : changes) {
     json changed = whole;
     change(changed);
-    write_text(sample.path + "/result.json", changed.dump());
+    write_text(sample.path + "/result.json", sealed(changed));
     const Outcome ran = verify(sample, {});
     EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
     EXPECT_NE(ran.out.find(what), std::string::npos) << ran.out;
@@ -200,7 +223,7 @@ TEST(VerifyCommand, AResultOfATrillionMovesTakesNoMemory) {
   const SampleFolder sample = checked_sample("between_rib");
   json result = result_of(sample);
   result["totals"]["moves"] = 1'000'000'000'000;
-  write_text(sample.path + "/result.json", result.dump());
+  write_text(sample.path + "/result.json", sealed(result));
   const Outcome ran = verify(sample, {});
   EXPECT_EQ(ran.exit_status, 1) << ran.err;
   EXPECT_NE(ran.out.find("the result has 1000000000000 moves and the toolpath 2"), std::string::npos) << ran.out;
@@ -211,10 +234,10 @@ TEST(VerifyCommand, NamesTheMoveTheInstantAndThePointThatRefuteAResult) {
   json result = result_of(sample);
   const json first = result.at("moves").at(0);
   result.at("moves").at(0).at("depth") = 1;
-  write_text(sample.path + "/result.json", result.dump());
+  write_text(sample.path + "/result.json", sealed(result));
   const Outcome ran = verify(sample, {});
   const std::string start = "pocket.apt:" + std::to_string(first.at("line").get<int>()) + ": refuted: its witness: ";
-  EXPECT_EQ(ran.out.rfind(start, 0), 0U) << ran.out;
+  EXPECT_NE(ran.out.find(start), std::string::npos) << ran.out;
   EXPECT_NE(ran.out.find(", move " + std::to_string(first.at("move").get<int>()) + " t="), std::string::npos)
       << ran.out;
 }
