@@ -46,6 +46,7 @@ class Baseline {
   BaselineFacts run() {
     for (std::size_t k = 0; k < accepted_.size(); ++k) add_entry(k);
     for (const Event& event : model_.result->events) facts_.events.push_back(judge(event));
+    for (std::size_t i = 0; i < facts_.events.size(); ++i) explain_changed_motion(i);
     return std::move(facts_);
   }
 
@@ -123,6 +124,31 @@ class Baseline {
     if (entry.use != BaselineEntry::Use::unused) return;
     entry.use = BaselineEntry::Use::voided;
     entry.why = why;
+  }
+
+  // Voids entries whose motion is not in the path any more, where another motion gouges in its line.
+  void explain_changed_motion(std::size_t i) {
+    const Event& event = model_.result->events[i];
+    EventAcceptance& judged = facts_.events[i];
+    const MoveVerdict& worst = model_.result->verdicts[event.worst_move];
+    if (event.state != MoveState::gouge || judged.is_accepted || !worst.witness) return;
+    const LengthUnit unit = model_.toolpath->unit;
+    const std::size_t first = model_.toolpath->moves[event.first_move].line,
+                      last = model_.toolpath->moves[event.last_move].line;
+    for (std::size_t k = 0; k < accepted_.size(); ++k) {
+      const Acceptance& a = accepted_[k];
+      const bool is_there = first <= a.line && a.line <= last && a.tool == tool_key(*model_.toolpath, event.tool) &&
+                            a.body == body_name(event.body) && a.against == against_name(event.against);
+      if (!is_there || facts_.entries[k].use != BaselineEntry::Use::unused) continue;
+      double accepted_mm = 0;
+      for (const AcceptedMove& move : a.moves) accepted_mm = std::max(accepted_mm, move.depth_upper_mm);
+      const std::string why = "the motion in line " + std::to_string(a.line) +
+                              " is another one: " + depth_text(worst.depth_mm, unit) + " deep, accepted up to " +
+                              depth_text(accepted_mm, unit);
+      void_entry(k, why);
+      if (judged.entries.empty()) judged.why_not = why;
+      judged.entries.push_back(k);
+    }
   }
 
   MoveAnswer ask(const Event& event, const std::string& tool, std::size_t move) {

@@ -82,6 +82,16 @@ TEST(ApplyBaseline, AnotherBodyCounterpartOrMotionIsNot) {
   EXPECT_EQ(motion.apply().accepted_findings(), 0U);
 }
 
+TEST(ApplyBaseline, AnotherMotionInTheSameLineVoids) {
+  Accepted report;
+  for (const std::size_t move : {1U, 2U, 3U}) report.path.moves[move].end.tip.z() = -0.1;
+  report.set_gouge(2, 0.45);
+  report.expect_refused("the motion in line 12 is another one: 0.450 mm deep, accepted up to 0.334 mm");
+  const BaselineFacts facts = report.apply();
+  EXPECT_NE(facts.events[0].why_not.find("another one"), std::string::npos);
+  EXPECT_EQ(facts.events[0].entries, std::vector<std::size_t>{0});
+}
+
 TEST(ApplyBaseline, AnotherToolOrSetUpVoids) {
   Accepted tool;
   tool.model.tools[0].identity = "ball 12";
