@@ -13,6 +13,7 @@
 #include <ostream>
 
 #include "cli/output/output_file.h"
+#include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
@@ -120,7 +121,7 @@ Result<std::vector<Acceptance>> read_existing(const std::string& file, const Inp
 void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
   command
       .add_option("RESULT", arguments.results,
-                  "Results with the findings (the output of --json, or result.json of a report)")
+                  "Results with the findings (the output of --json, or the folder of a report)")
       ->type_name("FILE")
       ->required();
   command
@@ -212,7 +213,8 @@ class Acceptor {
 
 Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments) {
   std::vector<StoredResult> results;
-  for (const std::string& file : arguments.results) {
+  for (const std::string& typed : arguments.results) {
+    const std::string file = result_in(typed);
     const Result<std::string> bytes = read_file(file, arguments.input.max_bytes);
     if (!bytes) return bytes.error();
     Result<StoredResult> result = read_result(file, *bytes);
@@ -246,7 +248,7 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   if (const auto wrong = find_wrong_word(arguments)) return fail(err, {*wrong});
   const OutputTable outputs = asked_for({{"-o", arguments.output}});
   std::vector<InputOption> inputs;
-  for (const std::string& file : arguments.results) inputs.push_back({"the result", file});
+  for (const std::string& file : arguments.results) inputs.push_back({"the result", result_in(file)});
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   const Result<std::vector<StoredResult>> results = read_results(arguments);
   if (!results) return fail(err, {results.error()});

@@ -6,6 +6,7 @@
 
 #include "cli/commands/compare_paths.h"
 #include "cli/output/output_file.h"
+#include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
@@ -14,7 +15,8 @@
 namespace gouge {
 namespace {
 
-Result<StoredResult> load_result(const std::string& file, const InputLimit& limit) {
+Result<StoredResult> load_result(const std::string& typed, const InputLimit& limit) {
+  const std::string file = result_in(typed);
   const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
   return read_result(file, *bytes);
@@ -24,7 +26,7 @@ Result<StoredResult> load_result(const std::string& file, const InputLimit& limi
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command
-      .add_option("OLD", arguments.before, "Result of the old run (the output of --json, or result.json of a report)")
+      .add_option("OLD", arguments.before, "Result of the old run (the output of --json, or the folder of a report)")
       ->type_name("FILE")
       ->required();
   command.add_option("NEW", arguments.after, "Result of the new run")->type_name("FILE")->required();

@@ -7,6 +7,7 @@
 #include "cli/job/claimed_result.h"
 #include "cli/job/claimed_scene.h"
 #include "cli/job/load_stock.h"
+#include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/progress.h"
 #include "lib/base/exit_code.h"
@@ -195,7 +196,7 @@ int finish(const VerifyArguments& arguments, const Verification& verification, c
 }  // namespace
 
 void add_verify_options(CLI::App& command, VerifyArguments& a) {
-  command.add_option("RESULT", a.result_file, "Result of a check (the output of --json, or result.json of a report)")
+  command.add_option("RESULT", a.result_file, "Result of a check (the output of --json, or the folder of a report)")
       ->type_name("FILE")
       ->required();
   command
@@ -222,7 +223,9 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
       "covered, 5 internal or resource failure.");
 }
 
-int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {
+int run_verify(const VerifyArguments& typed, std::ostream& out, std::ostream& err) {
+  VerifyArguments a = typed;
+  a.result_file = result_in(typed.result_file);
   if (const auto error = find_contradiction(a)) return fail(err, {*error});
   const std::optional<double> seconds = a.seconds.empty() ? 0 : parse_number(a.seconds);
   if (!seconds || !(*seconds >= 0 && *seconds <= kMaxSeconds))

@@ -250,6 +250,12 @@ const std::vector<std::string>& names_of_report() {
   return kNames;
 }
 
+std::string result_in(const std::string& file) {
+  std::error_code ignored;
+  const std::string inside = file + (file.ends_with('/') ? "" : "/") + "result.json";
+  return std::filesystem::is_directory(file, ignored) && std::filesystem::exists(inside, ignored) ? inside : file;
+}
+
 const std::vector<std::string>& names_of_batch() {
   static const std::vector<std::string> kNames = {"index.html", "summary.csv",    "summary.json",
                                                   "junit.xml",  "findings.sarif", kManifestName};
