@@ -172,6 +172,7 @@ class Batch {
     }
     if (const auto wrong = find_other_shard()) return fail_to_open(*wrong);
     if (const auto wrong = find_foreign()) return fail(err_, {*wrong}, kExitUsage);
+    note_replaced();
     if (const Outcome begun = store_->begin(identity_); !begun) return fail_to_open(begun.error());
     if (arguments_.is_fresh) remove_work(arguments_.folder);
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
@@ -194,6 +195,19 @@ class Batch {
         "the folder has another share of these jobs; expected a folder for each --shard, or --fresh, which "
         "drops what is there",
         arguments_.folder);
+  }
+
+  // Notes jobs of an earlier batch that the results of this one replace. The jobs of a watched folder come and go.
+  void note_replaced() {
+    if (!arguments_.watch.empty() || arguments_.is_fresh || arguments_.is_quiet) return;
+    const std::set<std::string> names(identity_.names.begin(), identity_.names.end());
+    const auto replaced =
+        std::ranges::count_if(store_->stored(), [&](const StoredJob& job) { return !names.contains(job.name); });
+    if (replaced == 0) return;
+    print(err_, {make_note("batch-replaced",
+                           "holds the results of " + count_text(static_cast<std::size_t>(replaced), "other job") +
+                               ", which this batch replaces",
+                           arguments_.folder)});
   }
 
   // Finds a corrected toolpath that a job would replace, but that no batch wrote. For a report, the command of the job

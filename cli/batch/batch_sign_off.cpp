@@ -37,7 +37,8 @@ SignOff batch_sign_off(const BatchArguments& arguments, const std::vector<BatchJ
   std::ranges::copy_if(arguments.words, std::back_inserter(words), [](const std::string& word) {
     return !word.starts_with("--project=") && !word.starts_with("--reviewer=");  // the head has them already
   });
-  sign_off.command = repeatable_words("batch", words);
+  // The pages of a batch are the same in any folder, so its name is left open.
+  sign_off.command = repeatable_words("batch", words) + " -o FOLDER";
   return sign_off;
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cli/batch/batch_job.h"
+#include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "postproc/batch/batch_page.h"
@@ -97,7 +98,7 @@ std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& fi
 
 void print_batch(std::ostream& out, const std::vector<JobResult>& results) {
   constexpr std::size_t kMaxRows = 50;
-  out << batch_text(results, ::isatty(STDOUT_FILENO) == 1 ? kMaxRows : results.size());
+  out << batch_text(results, is_terminal(out) ? kMaxRows : results.size(), terminal_columns(out));
 }
 
 void print_failures(std::ostream& err, const std::vector<JobResult>& results) {

@@ -17,13 +17,19 @@ std::string time_text(double seconds) { return fixed_text(seconds, seconds < 10 
 
 TableRow text_row(const JobResult& job) {
   if (!job.status) return {printable(job.name), job.verdict(), "", "", "", ""};
-  std::string deepest = deepest_text(job);
-  if (job.unit.empty()) {
-    const std::vector<std::string> remarks = job.remarks();
-    deepest = remarks.empty() ? "status " + std::to_string(*job.status) : remarks.front();
-  }
-  return {printable(job.name),    job.verdict(),     std::to_string(job.moves()), std::to_string(job.gouge_findings()),
-          time_text(job.seconds), printable(deepest)};
+  return {printable(job.name),         job.verdict(),
+          std::to_string(job.moves()), std::to_string(job.gouge_findings()),
+          time_text(job.seconds),      printable(deepest_text(job))};
+}
+
+// Returns the line with the reason why a job failed or is not fully checked; empty: it has no such reason.
+std::string reason_line(const JobResult& job) {
+  const bool is_open = job.verdict() == std::string_view("not-fully-checked");
+  if (!job.status || !(job.unit.empty() || is_open)) return {};
+  const std::vector<std::string> remarks = job.remarks();
+  if (remarks.empty()) return job.unit.empty() ? job.name + ": status " + std::to_string(*job.status) : std::string();
+  return job.name + ": " + remarks.front() +
+         (remarks.size() > 1 ? "; and " + count_text(remarks.size() - 1, "more remark") : "");
 }
 
 }  // namespace
@@ -34,12 +40,10 @@ std::string deepest_text(const JobResult& job) {
   return depth_text(job.deepest_mm, unit) + " at line " + std::to_string(job.deepest_line);
 }
 
-std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most) {
+std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most, std::size_t columns) {
   std::vector<TableRow> rows = {{"job", "verdict", "moves", "findings", "time", "deepest"}};
-  for (const std::size_t job : worst_first(jobs)) {
-    if (rows.size() > most) break;
-    rows.push_back(text_row(jobs[job]));
-  }
+  const std::vector<std::size_t> order = worst_first(jobs);
+  for (std::size_t k = 0; k < order.size() && rows.size() <= most; ++k) rows.push_back(text_row(jobs[order[k]]));
   std::array<std::size_t, 6> widths{};
   for (const TableRow& row : rows) {
     for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], display_width(row[k]));
@@ -57,6 +61,12 @@ std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most) {
   }
   if (jobs.size() + 1 > rows.size())
     text += "and " + count_text(jobs.size() + 1 - rows.size(), "more job") + "; summary.csv has them all\n";
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    const std::string reason = reason_line(jobs[order[k]]);
+    constexpr std::size_t kIndent = 2;
+    if (!reason.empty())
+      text += (columns > 0 ? wrapped(printable(reason), columns, kIndent) : printable(reason)) + "\n";
+  }
   return text + count_text(jobs.size(), "job") + ": " + verdict_counts(jobs) + "\n";
 }
 
