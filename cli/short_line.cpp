@@ -60,6 +60,8 @@ Result<Role> role_of(const std::string& file) {
                       "'" + file + "' is a pipe or a device; expected gougecheck check with the option that it is for");
   const Result<std::string> beginning = read_beginning(file);
   if (!beginning) return beginning.error();
+  if (beginning->empty())
+    return make_error("usage", "'" + file + "' is empty; expected a toolpath, an STL or a tool library");
   if (looks_like_stl(*beginning, fs::file_size(file, ignored)) || has_ending(file, ".stl")) return Role::part;
   return is_tool_library(file) ? Role::tools : Role::path;
 }

@@ -8,6 +8,7 @@
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
+#include "postproc/report/report_text.h"
 
 namespace gouge {
 
@@ -26,7 +27,12 @@ std::optional<int> JobPipeline::load() {
   baseline_ = std::move(*accepted);
   LoadedJob loaded = load_job(arguments_, options_, progress_, context_.scenes);
   progress_.end();
-  if (!loaded.job) return fail(context_.err, loaded.errors);
+  if (!loaded.job) {
+    if (arguments_.project_file)
+      loaded.errors.push_back(
+          make_note(kProjectFile, arguments_.project_file->summary, arguments_.project_file->input.name));
+    return fail(context_.err, loaded.errors);
+  }
   job_ = std::move(*loaded.job);
   scene_ = &job_->files->prepared(options_.check.threads, progress_.call());
   progress_.begin("checking the set-up");

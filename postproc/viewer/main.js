@@ -186,6 +186,8 @@ const startDesk = async () => {
     desk.finding = finding;
     writeFinding(finding, 1);
     window.findings.choose(first);
+  } else {
+    byId('desk-title').textContent = 'No finding';
   }
   say();
   new ResizeObserver(() => { if (desk.resize()) drawStrip(); }).observe(canvas.parentElement);

@@ -86,6 +86,7 @@ TEST_F(ShortLine, NamesFilesThatDoNotFit) {
   EXPECT_NE(error({path, part, tools, add("b.json", R"({"units":"mm","tools":[]})")}).find("are tool libraries"),
             std::string::npos);
   EXPECT_NE(error({folder_, part}).find("is a folder"), std::string::npos);
+  EXPECT_NE(error({path, part, add("empty.json", "")}).find("empty.json' is empty; expected"), std::string::npos);
 }
 
 }  // namespace
