@@ -129,7 +129,9 @@ OptionRows<JobArguments> check_rows() {
       {.name = "--near-miss",
        .field = &A::near_miss,
        .type = "LENGTH",
-       .help = "Report moves that come closer to a part or fixture than this (0: off)",
+       .help =
+           "Report rapids, shanks and holders that come closer to a part or fixture than this, and cutters that come closer "
+           "to a fixture; a cutter that feeds along the part is meant to be near (0: off)",
        .scope = Scope::project},
       {.name = "--resolution",
        .field = &A::resolution,
