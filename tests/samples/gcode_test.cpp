@@ -187,7 +187,7 @@ TEST_F(SmallProgram, ThatBeginsBelowTheTopIsNotFullyChecked) {
   const auto with = [&](const std::string& first, const std::vector<std::string>& more) {
     std::vector<std::string> all = {"--control", "haas", "--assume", "placement"};
     all.insert(all.end(), more.begin(), more.end());
-    return check("G21 G17 G90 G94 G40 G49 G80\nT1 M6\n" + first + "G1 X55. F100.\nM30\n", Vec3(40, -50, -10),
+    return check("G21 G17 G90 G94 G40 G49 G80\nT1 M6\nG43 H1\n" + first + "G1 X55. F100.\nM30\n", Vec3(40, -50, -10),
                  Vec3(48, 50, 60), all);
   };
   for (const char* first : {"G0 X50. Y0. Z5.\n", "G0 X50. Y0.\nZ5.\n", "G0 Z5.\nX50. Y0.\n"}) {

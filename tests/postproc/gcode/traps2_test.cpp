@@ -216,7 +216,7 @@ TEST(GcodeEffects, OffsetsOfAToolBesideItsAxisAreNotRead) {
 }
 
 TEST(GcodeEffects, G80MayStandBesideAMotionCodeThatIsNoCycle) {
-  const std::string text = "G21 G94\nT1 M6\nG0 G17 G40 G49 G80 G90\nX0. Y0. Z10.\nG1 Z0.1 F100.\nM30\n";
+  const std::string text = "G21 G94\nG0 G17 G40 G49 G80 G90\nX0. Y0. Z10.\nG1 Z0.1 F100.\nM30\n";
   for (const char* control : {"haas", "fanuc"}) {
     expect_checked(text, control);
     expect_open(program("G80 G81 Z-1. R1. F9.\n"), control, "exclude each other");

@@ -4,7 +4,7 @@
 namespace gouge::test {
 namespace {
 
-constexpr const char* kStart = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG0 X0. Y0.\nZ80.\n";
+constexpr const char* kStart = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG43 H1 G0 X0. Y0.\nZ80.\n";
 
 std::string program(const std::string& blocks) { return kStart + blocks + "M30\n"; }
 
@@ -87,7 +87,7 @@ TEST(GcodeWords, OfRollOverAxesMayStateTheDirectionByTheirSign) {
 
 TEST(GcodeWords, ChooseTheFirstWorkOffsetInPlaceOfThatOfTheStart) {
   for (const char* control : {"haas", "fanuc"}) {
-    const std::string start = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\n";
+    const std::string start = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG43 H1\n";
     expect_checked(start + "G0 G55 X0. Y0.\nZ5.\nG1 X5. F9.\nM30\n", control);
     expect_open(start + "G0 X0. Y0.\nZ5.\nG55 G1 X5. F9.\nM30\n", control, "changes from work offset G54 to G55");
   }
@@ -115,7 +115,7 @@ TEST(GcodeWords, OfACycleKeepTheModeInWhichTheyStand) {
       if (move.end.tip.x() > 15) low = std::min(low, move.end.tip.z());
     return low;
   };
-  const std::string start = "G21 G90 G17 G40 G49 G80 G94 G54 G98\nT1 M6\nG0 X0. Y0. Z30.\nF200.\nG0 Z20.\n";
+  const std::string start = "G21 G90 G17 G40 G49 G80 G94 G54 G98\nT1 M6\nG43 H1 G0 X0. Y0. Z30.\nF200.\nG0 Z20.\n";
   const std::string text = start + "G81 X0. Y0. Z-15. R-5.\nG91 X10.\nX10.\nG90 G80\nM30\n";
   for (const char* control : {"haas", "fanuc"}) {
     EXPECT_NEAR(lowest(text, control), -15, 1e-9) << control;
@@ -163,7 +163,8 @@ TEST(GcodeWords, InEachOtherAreBounded) {
 
 // LinuxCNC keeps the numbers of R and Z, not their lengths; no manual at hand states it for the others.
 TEST(GcodeWords, OfUnitsInACycleAreNotRead) {
-  const std::string start = "G20 G90 G17 G40 G49 G80 G94 G54 G98\nT1 M6\nG0 X0. Y0. Z1.\nF4.\nG81 X.4 Y0. Z.2 R.4\n";
+  const std::string start =
+      "G20 G90 G17 G40 G49 G80 G94 G54 G98\nT1 M6\nG43 H1 G0 X0. Y0. Z1.\nF4.\nG81 X.4 Y0. Z.2 R.4\n";
   for (const char* control : {"linuxcnc", "haas", "fanuc"}) {
     expect_open(start + "G21\nX20.\nG80\nM30\n", control, "the unit is stated while a cycle is in force");
     expect_checked(start + "G80\nG21\nG0 X20.\nM30\n", control);
