@@ -65,10 +65,10 @@ TEST(Misfit, WhatGougesHereAndThereIsCorrectedWithoutAWord) {
 
 TEST(Misfit, APartInAnotherUnitIsRefusedAndForced) {
   const std::string folder = fresh_folder();
-  write_text(folder + "/part.stl", shapes::ascii_stl(shapes::cube()));
+  write_text(folder + "/part.stl", shapes::ascii_stl(shapes::cube(0.8)));
   write_text(folder + "/op.apt",
-             "PARTNO/A\nUNITS/MM\nCUTTER/1,0,0.5,0,0,0,20\nGOTO/-10,0.5,5\nGOTO/-10,0.5,0.8\nGOTO/10,0.5,0.8\n"
-             "GOTO/10,0.5,5\nFINI\n");
+             "PARTNO/A\nUNITS/MM\nCUTTER/1,0,0.5,0,0,0,20\nGOTO/-10,0.4,5\nGOTO/-10,0.4,0.5\nGOTO/10,0.4,0.5\n"
+             "GOTO/10,0.4,5\nFINI\n");
   const std::vector<std::string> correct = {"correct", "op.apt", "--part", "part.stl", "-o", "out.apt"};
   const Outcome refused = run_gougecheck(folder, correct);
   EXPECT_EQ(refused.exit_status, 1) << refused.err;
