@@ -206,7 +206,7 @@ bool overlaps(const Area& a, const Area& b) {
 
 }  // namespace
 
-void add_marker(Page& page, const Area& area, const Vec2& target, int number, bool is_hidden) {
+void add_marker(Page& page, const Area& area, const Vec2& target, std::size_t number, bool is_hidden) {
   constexpr double kRadius = 14;
   Vec2 best = target + Vec2(40, -40);
   bool is_found = false;
@@ -235,8 +235,8 @@ void add_marker(Page& page, const Area& area, const Vec2& target, int number, bo
   page.disc(target, 3, kInk);
   page.disc(best, kRadius, is_hidden ? kSoftInk : kInk);
   page.disc(best, kRadius - 2, is_hidden ? Colour{255, 255, 255, 1} : kInk);
-  page.text(best + Vec2(0, 5.5), std::to_string(number), 16, is_hidden ? kSoftInk : Colour{255, 255, 255, 1},
-            TextAnchor::middle, true);
+  page.text(best + Vec2(0, 5.5), std::to_string(number), fitting_size(std::to_string(number), 16, 25, true),
+            is_hidden ? kSoftInk : Colour{255, 255, 255, 1}, TextAnchor::middle, true);
 }
 
 }  // namespace gouge

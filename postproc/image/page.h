@@ -65,6 +65,6 @@ void add_triad(Page& page, const Vec2& at, const View& view, double size);
 }
 
 /// Adds a numbered disc beside `target`, with a line to it. It covers no other label, and stays within `area`.
-void add_marker(Page& page, const Area& area, const Vec2& target, int number, bool is_hidden);
+void add_marker(Page& page, const Area& area, const Vec2& target, std::size_t number, bool is_hidden);
 
 }  // namespace gouge

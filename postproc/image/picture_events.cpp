@@ -9,6 +9,7 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/motion/body_motion.h"
 #include "lib/motion/motion_law.h"
+#include "postproc/report/findings.h"
 
 namespace gouge {
 
@@ -53,27 +54,36 @@ PictureEvent picture_event(const CheckedToolpath& input, const Event& event) {
 }  // namespace
 
 std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t most) {
-  std::vector<Event> events;
-  for (const Event& event : input.result->events) {
+  const std::vector<std::size_t> numbers = finding_numbers(*input.result);
+  struct Numbered {
+    const Event* event;
+    std::size_t number;
+  };
+  std::vector<Numbered> events;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const Event& event = input.result->events[i];
     const bool has_tool = event.tool < input.tools.size() && input.tools[event.tool] != nullptr;
-    if (has_tool && (event.state == MoveState::gouge || event.state == MoveState::buried)) events.push_back(event);
+    if (has_tool && (event.state == MoveState::gouge || event.state == MoveState::buried))
+      events.push_back({&event, numbers[i]});
   }
   const auto depth_of = [&](const Event& event) {
     return event.state == MoveState::buried ? -1.0 : input.result->verdicts[event.worst_move].depth_mm;
   };
   std::stable_sort(events.begin(), events.end(),
-                   [&](const Event& a, const Event& b) { return depth_of(a) > depth_of(b); });
+                   [&](const Numbered& a, const Numbered& b) { return depth_of(*a.event) > depth_of(*b.event); });
   const double apart_mm = 0.05 * scene_size(*input.scene);
   std::vector<PictureEvent> out;
-  for (const Event& event : events) {
-    PictureEvent one = picture_event(input, event);
-    one.depth_mm = std::max(0.0, depth_of(event));
+  for (const Numbered& numbered : events) {
+    const Event* const event = numbered.event;
+    PictureEvent one = picture_event(input, *event);
+    one.depth_mm = std::max(0.0, depth_of(*event));
     const bool is_reported = std::any_of(out.begin(), out.end(), [&](const PictureEvent& other) {
-      return other.event.state == event.state && other.event.tool == event.tool && other.event.body == event.body &&
+      return other.event.state == event->state && other.event.tool == event->tool && other.event.body == event->body &&
              (other.at - one.at).norm() < apart_mm;
     });
     if (is_reported || out.size() >= most) continue;
-    one.number = static_cast<int>(out.size()) + 1;
+    one.rank = static_cast<int>(out.size()) + 1;
+    one.number = numbered.number;
     out.push_back(one);
   }
   return out;

@@ -13,9 +13,10 @@ namespace gouge {
 /// Number of findings with a picture in a report.
 inline constexpr std::size_t kEventsOfReport = 6;
 
-/// A finding with its number in the pictures: 1 is the worst.
+/// A finding with its rank among those with a picture, 1 being the worst, and its number (finding_numbers).
 struct PictureEvent {
-  int number = 0;
+  int rank = 0;
+  std::size_t number = 0;
   Event event;
   Pose pose;                        ///< pose of the tool at the worst instant
   RigidTransform heads;             ///< from the tool's frame to the place of the heads at that instant

@@ -58,7 +58,8 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const std::optio
     const std::size_t move = event.event.worst_move;
     const std::string title = "Finding " + number + ": line " + std::to_string(set.input.toolpath->moves[move].line) +
                               ", " + event_text(set.model, event.event);
-    if (Outcome done = album.add(draw_event(set, event), "event_" + number + ".png", title, move); !done) {
+    if (Outcome done = album.add(draw_event(set, event), "event_" + std::to_string(event.rank) + ".png", title, move);
+        !done) {
       return done;
     }
   }

@@ -106,7 +106,7 @@ std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureS
     double weight = 0;
     double seen = 0;
     for (const PictureEvent& event : events) {
-      const double share = 1.0 / event.number;
+      const double share = 1.0 / event.rank;
       weight += share;
       if (is_in_sight(input, event.at, c.toward, clear_mm)) seen += share;
     }

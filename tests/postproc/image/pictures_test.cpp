@@ -144,9 +144,22 @@ TEST(PictureEvents, AreNumberedFromTheDeepestAndKeepApart) {
   for (int k = 0; k < 5; ++k) small.result.events.push_back(event);
   const std::vector<PictureEvent> events = worst_events(small.input, 6);
   ASSERT_EQ(events.size(), 1U);
-  EXPECT_EQ(events[0].number, 1);
+  EXPECT_EQ(events[0].rank, 1);
   EXPECT_NEAR(events[0].depth_mm, small.result.worst_depth_mm, 1e-12);
   EXPECT_NEAR(depth_at_pose(small.tool.against_part, events[0].pose, events[0].at), events[0].depth_mm, 1e-6);
+}
+
+TEST(PictureEvents, HaveTheNumbersOfTheirFindings) {
+  SmallScene small;
+  Event buried = small.result.events.front();
+  buried.state = MoveState::buried;
+  small.result.events.push_back(buried);
+  const std::vector<PictureEvent> events = worst_events(small.input, 6);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].rank, 1);
+  EXPECT_EQ(events[0].number, 2U) << "a buried tool is the first finding, and the last picture";
+  EXPECT_EQ(events[1].rank, 2);
+  EXPECT_EQ(events[1].number, 1U);
 }
 
 TEST(ReportPictures, AreTheOnesGuaranteedAndTheSameOnEveryRun) {
@@ -286,7 +299,7 @@ TEST(Pictures, ReportBuriedMovesBeforeAndAfter) {
 TEST(Markers, CoverNeitherEachOtherNorTheirTargets) {
   Page page;
   const Area area{0, 0, 800, 600};
-  for (int k = 1; k <= 6; ++k) add_marker(page, area, {400.0 + 3 * k, 300}, k, false);
+  for (std::size_t k = 1; k <= 6; ++k) add_marker(page, area, {400.0 + 3.0 * static_cast<double>(k), 300}, k, false);
   std::vector<Area> discs;
   for (const Area& taken : page.taken) {
     if (taken.width > 20) discs.push_back(taken);
