@@ -65,11 +65,15 @@ int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostre
   if (const auto error = find_contradiction(arguments)) return fail(err, {*error});
   const Result<double> same_within = understand_length("--same-within", arguments.same_within, Minimum::zero);
   if (!same_within) return fail(err, {same_within.error()});
+  if (arguments.are_paths && !(arguments.html_file.empty() && arguments.json_file.empty()))
+    return fail(err,
+                {make_error("usage", "--html and --json write a comparison of results; --paths prints text alone")});
   if (arguments.are_paths) return run_compare_paths(arguments, *same_within, out, err);
   const OutputTable outputs = asked_for({{"--html", arguments.html_file}, {"--json", arguments.json_file}});
   const Result<bool> taken = is_stdout_taken(outputs);
-  if (const auto status =
-          refuse_outputs({{"the old result", arguments.before}, {"the new result", arguments.after}}, outputs, err))
+  if (const auto status = refuse_outputs(
+          {{"the old result", result_in(arguments.before)}, {"the new result", result_in(arguments.after)}}, outputs,
+          err))
     return *status;
   const Result<StoredResult> before = load_result(arguments.before, arguments.input);
   if (!before) return fail(err, {before.error()});

@@ -252,8 +252,8 @@ const std::vector<std::string>& names_of_report() {
 
 std::string result_in(const std::string& file) {
   std::error_code ignored;
-  const std::string inside = file + (file.ends_with('/') ? "" : "/") + "result.json";
-  return std::filesystem::is_directory(file, ignored) && std::filesystem::exists(inside, ignored) ? inside : file;
+  if (!std::filesystem::is_directory(file, ignored)) return file;
+  return file + (file.ends_with('/') ? "" : "/") + "result.json";
 }
 
 const std::vector<std::string>& names_of_batch() {

@@ -50,7 +50,7 @@ struct ReportManifest {
 /// the manifest. All other files in the folder do not belong to the report.
 [[nodiscard]] const std::vector<std::string>& names_of_report();
 
-/// Returns the result in the folder of a report, or `file` itself if it is no such folder.
+/// Returns the place of the result in the folder of a report, or `file` itself if it is no folder.
 [[nodiscard]] std::string result_in(const std::string& file);
 
 /// Returns the names for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
