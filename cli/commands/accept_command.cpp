@@ -126,7 +126,8 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       ->required();
   command
       .add_option("--finding", arguments.findings,
-                  "Number of a finding to accept (repeatable; default: list all findings)")
+                  "Number of a finding to accept, or several: 3,4 (repeatable; default: list all findings)")
+      ->delimiter(',')
       ->type_name("UINT")
       ->allow_extra_args(false);
   command.add_flag("--all", arguments.is_all,
@@ -184,7 +185,11 @@ class Acceptor {
 
   [[nodiscard]] const Diagnostics& refused() const { return refused_; }
   [[nodiscard]] std::string bytes() const { return write_accepted(accepted_); }
-  [[nodiscard]] bool is_changed() const { return accepted_.size() > before_; }
+  /// Returns whether the file has new entries, or does not exist although all findings were asked for.
+  [[nodiscard]] bool is_to_write() const {
+    std::error_code ignored;
+    return accepted_.size() > before_ || (arguments_.is_all && !fs::exists(arguments_.output, ignored));
+  }
 
   void tell(std::ostream& out) const {
     for (std::size_t k = before_; k < accepted_.size(); ++k) {
@@ -192,7 +197,7 @@ class Acceptor {
       out << printable("accepted: " + made.toolpath + ":" + std::to_string(made.line) + ": " + made.finding) << "\n";
     }
     if (known_ > 0) out << count_text(known_, "finding") << " accepted before\n";
-    if (is_changed())
+    if (accepted_.size() > before_ || arguments_.is_all)
       out << printable(arguments_.output + " has " + count_text(accepted_.size(), "accepted finding")) << "\n";
   }
 
@@ -234,7 +239,7 @@ int accept(const AcceptArguments& arguments, const std::vector<StoredResult>& re
     if (arguments.is_all) acceptor.accept_all(result);
     if (const Outcome named = acceptor.accept_named(result); !named) return fail(err, {named.error()});
   }
-  if (acceptor.is_changed()) {
+  if (acceptor.is_to_write()) {
     if (const Outcome written = write_output(arguments.output, acceptor.bytes(), out); !written)
       return fail(err, {written.error()}, kExitInternal);
   }
