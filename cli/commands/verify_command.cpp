@@ -172,7 +172,13 @@ Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& res
                                             " of this result was read from standard input; expected a file: check it "
                                             "again by its name");
     const Result<FileView> file = view_file(input.name, max_bytes);
-    if (!file) return file.error();
+    if (!file) {
+      Diagnostic error = file.error();
+      if (error.code == "file-not-found")
+        error.message +=
+            ", nor in the folder of the result or in one above it; expected the " + input.role + " that was checked";
+      return error;
+    }
     if ("sha256:" + sha256_of(file->bytes) == input.checksum) continue;
     Verification::Refuted one;
     one.what = "the " + input.role + " " + input.name + " is not the file that was checked (its SHA-256 differs)";
@@ -215,7 +221,7 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
       "  gougecheck check part.apt --part part.stl --tools tools.json \\\n"
       "      --json result.json --certificate proofs.gcp\n"
       "  gougecheck verify result.json --certificate proofs.gcp\n\n"
-      "The command reads the inputs that the result names, from their paths or relative to the result. It "
+      "The command reads the inputs that the result names, from their paths, or relative to the folder of the result or to one above it. It "
       "recomputes every witness, tests every proof in interval arithmetic and looks for counterexamples. It "
       "shares no code with the check except the readers of files. docs/method/verify.md explains the method and "
       "has an example that is computed by hand.\n\n"

@@ -17,12 +17,18 @@
 namespace gouge {
 namespace {
 
-/// Returns the name of a file as stated by the result, or its place relative to the result if only that exists.
+/// Returns the name of a file as stated by the result, or its place in the folder of the result or in one above it if only
+/// that exists.
 std::string found_at(const std::string& name, const std::string& result_file) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path beside = fs::path(result_file).parent_path() / fs::path(name);
-  return !fs::exists(name, error) && fs::exists(beside, error) ? beside.string() : name;
+  if (fs::exists(name, error)) return name;
+  fs::path folder = fs::absolute(result_file, error).parent_path();
+  for (;; folder = folder.parent_path()) {
+    const fs::path there = folder / fs::path(name);
+    if (fs::exists(there, error)) return there.string();
+    if (folder == folder.parent_path()) return name;
+  }
 }
 
 /// Takes from a record the data that a verification needs. `root` gives errors their place.
