@@ -222,30 +222,58 @@ class RunPlanner {
            " too deep";
   }
 
-  [[nodiscard]] std::string why_not(const TiltSpace& space, const LatticeResult& found) const {
-    const std::string most = display_text(job_.options.max_tilt_rad / kDegree_rad, 3) + " degrees";
-    if (found.held_back) return held_back_reason(space, *found.held_back);
-    if (!found.blocked)
-      return "tilts within --max-tilt " + most + " are free at each position, but no way leads between them";
-    // Find the obstacle at the tilt with the smallest depth.
-    const TiltPosition& at = space[*found.blocked];
-    MoveVerdict least = space.verdict(*found.blocked, Tilt::Zero());
+  /// The least deep verdict at some tilts of a position, and whether one of them is no gouge.
+  struct BestLooked {
+    MoveVerdict least;
+    bool is_free = false;
+  };
+
+  [[nodiscard]] BestLooked look_around(const TiltSpace& space, std::size_t i) const {
     constexpr int kRings = 6, kAround = 12;
+    BestLooked best{space.verdict(i, Tilt::Zero())};
     for (int ring = 1; ring <= kRings; ++ring) {
       for (int k = 0; k < kAround; ++k) {
         const double angle = k * 2 * std::numbers::pi / kAround;
         const double tilt = ring * job_.options.max_tilt_rad / kRings;
         if (job_.options.freedom == TiltFreedom::lead && k % (kAround / 2) != 0) continue;
         if (job_.options.freedom == TiltFreedom::side && k % (kAround / 2) != kAround / 4) continue;
-        const MoveVerdict verdict = space.verdict(*found.blocked, tilt * Tilt(std::cos(angle), std::sin(angle)));
-        if (verdict.state == MoveState::gouge && verdict.depth_mm < least.depth_mm) least = verdict;
+        const Tilt looked = tilt * Tilt(std::cos(angle), std::sin(angle));
+        const auto& cone = job_.options.cone;
+        if (cone && angle_between_rad(space[i].axis_for(looked), cone->axis) > cone->half_angle_rad) continue;
+        const MoveVerdict verdict = space.verdict(i, looked);
+        best.is_free = best.is_free || verdict.state != MoveState::gouge;
+        if (verdict.state == MoveState::gouge && verdict.depth_mm < best.least.depth_mm) best.least = verdict;
       }
     }
+    return best;
+  }
+
+  /// Returns the position at which the tool is deepest as programmed.
+  [[nodiscard]] static std::size_t deepest(const TiltSpace& space) {
+    std::size_t worst = 0;
+    double depth_mm = -1;
+    for (std::size_t i = 0; i < space.size(); ++i) {
+      const MoveVerdict verdict = space.verdict(i, Tilt::Zero());
+      if (verdict.depth_mm <= depth_mm) continue;
+      depth_mm = verdict.depth_mm;
+      worst = i;
+    }
+    return worst;
+  }
+
+  [[nodiscard]] std::string why_not(const TiltSpace& space, const LatticeResult& found) const {
+    const std::string within = "within --max-tilt " + display_text(job_.options.max_tilt_rad / kDegree_rad, 3) +
+                               " degrees" + (job_.options.cone ? " and --axis-cone" : "");
+    if (found.held_back) return held_back_reason(space, *found.held_back);
+    const std::size_t place = found.blocked ? *found.blocked : deepest(space);
+    const BestLooked best = look_around(space, place);
+    if (!found.blocked && best.is_free)
+      return "no tilts " + within + " were found that are free at each position and between them";
     const LengthUnit unit = job_.path.unit;
-    const Body body = least.witness ? least.witness->body : Body::holder;
-    return "no tilt within --max-tilt " + most + " frees line " + std::to_string(job_.path.moves[at.move].line) +
+    const Body body = best.least.witness ? best.least.witness->body : Body::holder;
+    return "no tilt " + within + " frees line " + std::to_string(job_.path.moves[space[place].move].line) +
            ": at the best one looked at the " + body_name(body) + " is " +
-           display_text(least.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
+           display_text(best.least.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
            " too deep";
   }
 
