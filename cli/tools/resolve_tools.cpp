@@ -208,6 +208,7 @@ class Resolver {
           basis_ = Basis::by_default;
           uncertainty_ = note.message;
         }
+        if (note.code == "cutter-contradiction") contradict(note.message);
         result_.notes.push_back(at(note, tool));
       }
       assembly = made->tool;
