@@ -21,7 +21,10 @@ struct FeedChord {
   std::size_t move = 0;
 };
 
-bool is_compared(const Move& move) { return move.kind != MoveKind::rapid && move.not_checked_reason.empty(); }
+// Rapids may be of a cycle.
+bool is_compared(const Move& move) {
+  return move.kind != MoveKind::rapid && move.feed_unit != FeedUnit::rapid && move.not_checked_reason.empty();
+}
 
 std::vector<FeedChord> feeds_of(const Toolpath& path) {
   std::vector<FeedChord> feeds;
