@@ -111,6 +111,8 @@ class Command {
     const std::vector<std::string> strange = app_->remaining();
     const auto option = std::find_if(strange.begin(), strange.end(),
                                      [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
+    const bool begins_with_word = !strange.empty() && !strange.front().starts_with('-');
+    if (!commands_.empty() && begins_with_word) return no_command(strange);
     if (option != strange.end()) return unknown_option(option->substr(0, option->find('=')), words);
     if (!commands_.empty()) return no_command(strange);
     if (const CLI::Option* blamed = blamed_option(error.what())) {

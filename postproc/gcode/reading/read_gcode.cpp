@@ -165,7 +165,9 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   motion.finish();
   if (facts.error) return {std::nullopt, {*facts.error}};
   if (!has_checked_move(path)) {
-    const std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
+    std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
+    if (motion.is_rest_unknown())
+      reason += "; correct the program, or state a word that neither moves nor changes anything with --harmless-word";
     return {std::nullopt,
             {make_error("path-no-motion", "holds no motion that can be checked" + reason, file_name,
                         path.moves.empty() ? std::size_t{0} : std::size_t{path.moves.front().line})}};
