@@ -6,10 +6,21 @@
 #include "cli/machine/program_files.h"
 #include "cli/machine/program_machine.h"
 #include "cli/options/joint_options.h"
+#include "cli/options/tube_options.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/files.h"
 
 namespace gouge {
+namespace {
+
+void warn_of_unknown_unit(Toolpath& path) {
+  for (const Assumption& fact : path.assumptions) {
+    if (fact.subject != Subject::path_unit || fact.basis != Basis::unknown) continue;
+    path.notes.push_back(make_warning(fact.code, fact.evidence + "; " + fact.remedy, path.file, fact.line));
+  }
+}
+
+}  // namespace
 
 void add_program_reading(CLI::App& command, ProgramReading& arguments, MachineOption machine) {
   const std::string usual_group = command.option_defaults()->get_group();
@@ -24,6 +35,16 @@ void add_program_reading(CLI::App& command, ProgramReading& arguments, MachineOp
       .add_option("--tool-length", arguments.tool_length,
                   "Length from the gauge point of --machine to the tool tip; a rotary head requires it")
       ->type_name("LENGTH")
+      ->group(kMachineGroup);
+  command
+      .add_option("--tip-tolerance", arguments.tip_tolerance,
+                  "Maximum distance of the tool tip from its path that the smoothing of the control may cause (G64 P)")
+      ->type_name("LENGTH")
+      ->group(kMachineGroup);
+  command
+      .add_option("--axis-tolerance", arguments.axis_tolerance,
+                  "Maximum angle by which the smoothing of the control may turn the tool axis")
+      ->type_name("DEG")
       ->group(kMachineGroup);
   command.add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
   add_options(command, arguments.reading, reading_options());
@@ -45,15 +66,27 @@ Result<ToolpathReader> ToolpathReader::make(const ProgramReading& arguments) {
     if (!length) return length.error();
     stated.tool_length_mm = reader.tool_length_mm_ = *length;
   }
+  const Result<MotionTube> tube = understand_tube(arguments.tip_tolerance, arguments.axis_tolerance, false);
+  if (!tube) return tube.error();
   if (auto error = find_wrong_machine_fact(stated)) return *error;
-  if (stated.machine.empty()) return reader;
+  const auto stated_or = [](const std::string& typed, double value, double of_control) {
+    return stated_tolerance(typed.empty() ? of_control : value);
+  };
+  if (stated.machine.empty()) {
+    ProgramSetup setup = reader.options_.program ? *reader.options_.program : ProgramSetup{};
+    setup.tip_tolerance_mm = stated_or(arguments.tip_tolerance, tube->tip_mm, 0);
+    setup.axis_tolerance_rad = stated_or(arguments.axis_tolerance, tube->axis_rad, 0);
+    reader.options_.program = std::make_shared<const ProgramSetup>(std::move(setup));
+    return reader;
+  }
   Result<Machine> machine = load_machine(stated, reader.max_bytes_, bytes);
   if (!machine) return machine.error();
   Control& control = machine->control;
   if (const auto law = turn_law_called(stated.joint_rapid_law)) control.joint_rapid_law = law;
   reader.options_.program =
-      with_machine(reader.options_.program, *machine, stated, std::nullopt, stated_tolerance(control.tip_tolerance_mm),
-                   stated_tolerance(control.axis_tolerance_rad));
+      with_machine(reader.options_.program, *machine, stated, std::nullopt,
+                   stated_or(arguments.tip_tolerance, tube->tip_mm, control.tip_tolerance_mm),
+                   stated_or(arguments.axis_tolerance, tube->axis_rad, control.axis_tolerance_rad));
   reader.machine_ = std::move(*machine);
   return reader;
 }
@@ -67,7 +100,9 @@ ReadOutcome ToolpathReader::read(const std::string& file) const {
   }
   ReadOptions options = options_;
   options.program = with_files_beside(options.program, file, max_bytes_, {});
-  return read_toolpath(file, std::move(*bytes), options);
+  ReadOutcome outcome = read_toolpath(file, std::move(*bytes), options);
+  if (outcome.toolpath) warn_of_unknown_unit(*outcome.toolpath);
+  return outcome;
 }
 
 }  // namespace gouge

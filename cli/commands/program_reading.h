@@ -18,7 +18,7 @@ namespace gouge {
 /// Options for such toolpaths, as typed.
 struct ProgramReading {
   StatedMachine stated;
-  std::string tool_length;
+  std::string tool_length, tip_tolerance, axis_tolerance;
   ReadingArguments reading;
   InputLimit input;
 };
