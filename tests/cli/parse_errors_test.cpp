@@ -64,6 +64,8 @@ TEST(ParseErrors, AWrongCommandIsNamedBeforeItsOptions) {
   const std::string text = said({"CHECK", "a.apt", "--part", "p.stl"});
   EXPECT_TRUE(text.starts_with("'CHECK' is no command of gougecheck; expected check, correct, ")) << text;
   EXPECT_TRUE(text.ends_with("; did you mean check?")) << text;
+  EXPECT_EQ(said({"tool", "lst", "--tools", "t.json"}),
+            "'lst' is no command of gougecheck tool; expected list, show, draw or import; did you mean list?");
 }
 
 TEST(ParseErrors, AFileThatBeginsWithADashIsNamedAsTyped) {

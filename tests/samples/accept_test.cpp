@@ -290,8 +290,25 @@ TEST_F(Accept, AllFindingsAreAcceptedAtOnce) {
   EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), count);
   const Outcome again = shop_.run(words);
   EXPECT_EQ(again.exit_status, 0) << again.err;
-  EXPECT_EQ(again.out, std::to_string(count) + " findings accepted before\n");
+  EXPECT_EQ(again.out, std::to_string(count) + " findings accepted before\naccepted.json has " + std::to_string(count) +
+                           " accepted findings\n");
   EXPECT_EQ(check(text).exit_status, 0);
+}
+
+TEST_F(Accept, AllOfACleanResultIsAnEmptyFile) {
+  ASSERT_EQ(shop_.check("a", path_text(stations())).exit_status, 0);
+  const Outcome ran = shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "b", "-o", "accepted.json"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_EQ(ran.out, "accepted.json has 0 accepted findings\n");
+  EXPECT_EQ(check(path_text(stations())).exit_status, 0);
+}
+
+TEST_F(Accept, SeveralNumbersMayStandInOneWord) {
+  const std::string text = path_text(stations({{40, -0.2}, {50, -0.2}, {60, 1}, {70, 1}, {80, -0.3}, {85, -0.3}}));
+  ASSERT_EQ(shop_.check("a", text).exit_status, 1);
+  const Outcome ran = accept("a.json", "1,2");
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), 2U);
 }
 
 TEST_F(Accept, AllGoesWithoutNumbersAndNumbersWithOneResult) {

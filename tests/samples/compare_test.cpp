@@ -179,6 +179,19 @@ TEST_F(Compare, ThePageAndItsOutputsAreThoseOfTheTable) {
   EXPECT_EQ(nlohmann::json::parse(piped.out).at("exit_status"), 1);
 }
 
+TEST_F(Compare, TheFolderOfAReportIsItsResultAndStaysAsItIs) {
+  shop_.check("a", path_text(stations(kTwoDeep)), {"--report", "rep"});
+  shop_.check("b", path_text(stations({{40, -0.3}})));
+  const std::string whole = shop_.read("rep/result.json");
+  EXPECT_EQ(shop_.run({"compare", "rep", "b.json", "-q"}).exit_status, 1);
+  for (const char* const option : {"--html", "--json"})
+    EXPECT_EQ(shop_.run({"compare", "rep", "b.json", option, "rep/result.json"}).exit_status, 2);
+  EXPECT_EQ(shop_.read("rep/result.json"), whole);
+  const Outcome paths = shop_.run({"compare", "--paths", "path.apt", "path.apt", "--json", "p.json"});
+  EXPECT_EQ(paths.exit_status, 2);
+  EXPECT_NE(paths.err.find("--paths prints text alone"), std::string::npos) << paths.err;
+}
+
 TEST_F(Compare, AResultThatIsNotAsItWasWrittenIsRefused) {
   shop_.check("a", path_text(stations(kTwoDeep)));
   const std::string whole = shop_.read("a.json");

@@ -36,6 +36,26 @@ nlohmann::json info(const std::string& folder, const std::string& file) {
   return nlohmann::json::parse(ran.out, nullptr, false);
 }
 
+TEST(PathInfo, ReadsClDataAsSuchBesideAControl) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/a.apt", "PARTNO/A\nUNITS/MM\nCUTTER/10,0,5,0,0,0,40\nGOTO/0,0,50\nGOTO/0,0,5\nFINI\n");
+  write_text(folder + "/a.nc", "G21 G90 G17 G94 G40 G49 G80\nG0 X0. Y0. Z50.\nG1 Z5. F100.\nM30\n");
+  const Outcome data = run_gougecheck(folder, {"path", "info", "a.apt", "--control", "haas"});
+  EXPECT_NE(data.out.find("apt (APT CL data)"), std::string::npos) << data.out << data.err;
+  const Outcome program = run_gougecheck(folder, {"path", "info", "a.nc", "--control", "haas"});
+  EXPECT_NE(program.out.find("gcode (G-code)"), std::string::npos) << program.out << program.err;
+  const Outcome compared = run_gougecheck(
+      folder, {"compare", "--paths", "a.apt", "a.nc", "--control", "haas", "--joint-rapid-law", "joint"});
+  EXPECT_EQ(compared.exit_status, 0) << compared.out << compared.err;
+}
+
+TEST(PathInfo, WarnsOfAnUnknownUnit) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/a.apt", "PARTNO/A\nGOTO/0,0,50\nGOTO/0,0,5\nFINI\n");
+  const Outcome ran = run_gougecheck(folder, {"path", "info", "a.apt"});
+  EXPECT_NE(ran.err.find("give --path-units mm or --path-units inch [path-unit]"), std::string::npos) << ran.err;
+}
+
 TEST(PathConvert, WithoutATargetIsTheIdentityOnEveryDialect) {
   const std::string folder = fresh_folder();
   std::size_t files = 0;

@@ -143,6 +143,18 @@ TEST(VerifyCommand, FindsWhatIsChangedInAResult) {
   }
 }
 
+TEST(VerifyCommand, FindsInputsInTheFoldersAboveAReport) {
+  const SampleFolder sample = open_sample("pocket");
+  const std::vector<std::string> report{"--report", "deep/er/rep", "-q"};
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), report)).exit_status, 1);
+  EXPECT_EQ(run_gougecheck("/", {"verify", sample.path + "/deep/er/rep", "-q"}).exit_status, 0);
+  std::filesystem::remove(sample.path + "/part.stl");
+  const Outcome ran = run_gougecheck("/", {"verify", sample.path + "/deep/er/rep"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.err.find("nor in the folder of the result or in one above it; expected the part"), std::string::npos)
+      << ran.err;
+}
+
 TEST(VerifyCommand, RefutesAFileWhoseBytesWereChanged) {
   const SampleFolder sample = checked_sample("pocket");
   const std::string whole = text_of(sample.path + "/result.json");

@@ -174,6 +174,13 @@ TEST(ResolveTools, ALengthThatTheToolpathLeavesOutIsADefault) {
   EXPECT_EQ(with("10,0,5,0,0,0,40").basis, Basis::stated);
 }
 
+TEST(ResolveTools, ACutterWhoseNumbersContradictEachOtherIsContradicted) {
+  // A spot drill with a flat tip of 3 mm, as a CAM system states it.
+  const Assumption fact = fact_of_tool("UNITS/MM\nLOADTL/1\nCUTTER/12,0,6,4.5,45,0,40\nGOTO/0,0,5\nFINI\n", nullptr);
+  EXPECT_EQ(fact.basis, Basis::contradicted);
+  EXPECT_NE(fact.evidence.find("f = 4.5 mm do not place the corner"), std::string::npos) << fact.evidence;
+}
+
 TEST(ResolveTools, WhatALibraryLeavesOutMakesItsToolUnknown) {
   const std::string path = "UNITS/MM\nLOADTL/1\nGOTO/0,0,5\nFINI\n";
   const auto with = [&](const std::string& keys) {

@@ -1,0 +1,49 @@
+#include "lib/path/path_difference.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/paths.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kHeight_mm = 100;
+
+/// A hole: down to R and out of it by rapids of this kind, and a feed between.
+Toolpath hole(MoveKind of_rapids, MoveKind of_feed) {
+  Toolpath path = paths::through({{{0, 0, 30}, Vec3::UnitZ()},
+                                  {{0, 0, 2}, Vec3::UnitZ()},
+                                  {{0, 0, -5}, Vec3::UnitZ()},
+                                  {{0, 0, 30}, Vec3::UnitZ()}});
+  for (const std::size_t rapid : {1U, 3U}) {
+    path.moves[rapid].kind = of_rapids;
+    path.moves[rapid].set_feed({0, FeedUnit::rapid});
+  }
+  path.moves[2].kind = of_feed;
+  path.moves[0].kind = MoveKind::rapid;
+  return path;
+}
+
+TEST(PathDifference, ComparesTheFeedsOfCyclesAlone) {
+  const Toolpath cycle = hole(MoveKind::cycle, MoveKind::cycle), program = hole(MoveKind::rapid, MoveKind::feed);
+  for (const auto& [one, other] : {std::pair{&cycle, &program}, std::pair{&program, &cycle}}) {
+    const auto difference = measure_difference(*one, *other, kHeight_mm);
+    ASSERT_TRUE(difference.has_value());
+    EXPECT_EQ(difference->positions, 1U);
+    EXPECT_LT(difference->tip_mm, 1e-12);
+  }
+}
+
+TEST(PathDifference, NamesTheFarthestFeedAndTheNearestOneOfTheOther) {
+  const Toolpath path = hole(MoveKind::rapid, MoveKind::feed);
+  Toolpath other = path;
+  other.moves[2].end.tip.z() = -4;
+  const auto difference = measure_difference(path, other, kHeight_mm);
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_NEAR(difference->tip_mm, 1, 1e-12);
+  EXPECT_EQ(difference->tip_move, 2U);
+  EXPECT_EQ(difference->tip_other, 2U);
+}
+
+}  // namespace
+}  // namespace gouge
