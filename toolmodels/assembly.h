@@ -41,8 +41,8 @@ struct ToolAssembly {
   /// Length of an extension of the cutter above its flutes, with the diameter of their top. Only extended_up sets it;
   /// library files do not contain it.
   double cutter_goes_on_mm = 0;
-  /// Why the tool may be another one than described: a part of its description was left out or is missing. Empty: it is
-  /// certain.
+  /// States why the tool may be another one than described: a part of its description was left out or is missing. Empty:
+  /// it is certain.
   std::string uncertainty{};
 };
 

@@ -10,6 +10,7 @@
 #include "cli/options/joint_options.h"
 #include "cli/options/option_table.h"
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/base/units.h"
 #include "postproc/record/read_record.h"
 #include "postproc/record/words.h"
@@ -249,8 +250,7 @@ std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
 
 /// Compares the largest value of the totals with that of the moves. Both are in the unit of the file there.
 void compare_largest(const char* what, double total_mm, double of_moves_mm, std::vector<std::string>& all) {
-  constexpr double kConversion = 1e-12;  // relative: of two conversions of one number
-  if (std::abs(total_mm - of_moves_mm) <= kConversion * std::max(total_mm, of_moves_mm)) return;
+  if (std::abs(total_mm - of_moves_mm) <= Tolerance::kFewRoundings * std::max(total_mm, of_moves_mm)) return;
   all.push_back(std::string("its totals state the largest ") + what + " as " + exact_text(total_mm) +
                 " mm, its moves as " + exact_text(of_moves_mm) + " mm");
 }

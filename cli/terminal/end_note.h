@@ -2,7 +2,7 @@
 
 #include <string>
 
-// What the program prints when a signal ends it.
+// Prints a note when a signal ends the program.
 
 namespace gouge {
 
