@@ -1,7 +1,5 @@
 #include "cli/batch/batch_command.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,8 +7,8 @@
 #include <set>
 #include <thread>
 
+#include "cli/batch/batch_identity.h"
 #include "cli/batch/batch_run.h"
-#include "cli/batch/batch_sign_off.h"
 #include "cli/batch/batch_watch.h"
 #include "cli/batch/settled_files.h"
 #include "cli/output/report_folder.h"
@@ -20,7 +18,6 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
-#include "lib/base/sha256.h"
 
 namespace gouge {
 namespace {
@@ -29,18 +26,6 @@ namespace fs = std::filesystem;
 
 bool is_job_list(const BatchArguments& arguments) {
   return arguments.files.size() == 1 && fs::path(arguments.files.front()).extension() == ".json";
-}
-
-std::uint64_t usable_memory() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
-  constexpr std::uint64_t kIfUnknown = 4'000'000'000;
-  if (pages <= 0 || size <= 0) return kIfUnknown;
-  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
-}
-
-std::string sha256_of_program() {
-  FileHashes hashes;
-  return hashes.of("/proc/self/exe");
 }
 
 StopOn stop_on(const BatchArguments& arguments) {
@@ -114,7 +99,7 @@ class Batch {
     if (!std::isfinite(arguments_.memory_gb))
       return refuse(make_error("usage", "--memory: expected a number of GB above 0"));
     if (const auto status = read_jobs()) return status;
-    identify();
+    identity_ = identify_batch(arguments_, jobs_, shard_, texts_);
     return std::nullopt;
   }
 
@@ -270,20 +255,6 @@ class Batch {
     }
     if (Outcome put = store_->put(done); !put) return put;
     return store_->refresh();
-  }
-
-  void identify() {
-    const std::string build = sha256_of_program();
-    identity_ = {kProgramVersion, build, {}, jobs_.size(), {}, {}, batch_sign_off(arguments_, jobs_)};
-    Sha256 list;
-    for (std::size_t number = 0; number < jobs_.size(); ++number) {
-      texts_.push_back(job_text(jobs_[number], std::string(kProgramVersion) + ' ' + build));
-      list.add(texts_.back());
-      if (!shard_.has(number)) continue;
-      identity_.numbers.push_back(number);
-      identity_.names.push_back(jobs_[number].name);
-    }
-    identity_.list = list.finish();
   }
 
   std::vector<std::size_t> jobs_to_run() {

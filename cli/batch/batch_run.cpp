@@ -1,5 +1,7 @@
 #include "cli/batch/batch_run.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -29,6 +31,13 @@ std::uint64_t bytes_of(const std::string& file) {
 }
 
 }  // namespace
+
+std::uint64_t usable_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
+  constexpr std::uint64_t kIfUnknown = 4'000'000'000;
+  if (pages <= 0 || size <= 0) return kIfUnknown;
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
+}
 
 bool is_reason_to_stop(StopOn what, std::optional<int> status) {
   const int severity = severity_of(status);

@@ -44,6 +44,9 @@ struct BatchPlan {
   JobQueue together;  ///< run side by side, each with one thread
 };
 
+/// Returns the bytes of memory that the jobs of a batch may take without --memory: three quarters of the machine's.
+[[nodiscard]] std::uint64_t usable_memory();
+
 /// Runs jobs side by side and commits each result to the store as soon as it is complete, while others run. Jobs of one
 /// scene run next to each other, large jobs first. A job that is larger than a fair share of all work runs alone, with
 /// all threads.
