@@ -46,8 +46,8 @@ void load_unwinder() {
   ::backtrace(&frame, 1);
 }
 
-// Removes temporary names, and prints how to go on. The second signal, raised when this handler returns, takes the default action, so a parent
-// that waits for the program sees which signal ended it.
+// Removes temporary names, and prints how to go on. The second signal, raised when this handler returns, takes the
+// default action, so a parent that waits for the program sees which signal ended it.
 void tidy_up_and_end(int signal) {
   gouge::remove_temporary_names();
   gouge::print_end_note();

@@ -31,7 +31,8 @@ namespace gouge {
 [[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
 
 /// Returns the one of `names` that `word` was probably meant to be. It is the only one that `word` begins, or that ends
-/// with it, or the nearest by letters that are missing, added, wrong or swapped. Of equals it is the first. Empty where none is near.
+/// with it, or the nearest by letters that are missing, added, wrong or swapped. Of equals it is the
+/// first. Empty where none is near.
 [[nodiscard]] std::string nearest_name(std::string_view word, const std::vector<std::string>& names);
 
 /// Returns "; did you mean --part?"; empty for an empty name.

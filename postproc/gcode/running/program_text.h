@@ -64,7 +64,8 @@ inline constexpr std::size_t kMaxRepeatedBlocks = 20'000;
 inline constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
 #endif
 
-/// Adds the lines of a text that are not blank, without a byte order mark before them. Cost: one pass at the speed of memory.
+/// Adds the lines of a text that are not blank, without a byte order mark before them. Cost: one pass at the
+/// speed of memory.
 void add_lines(std::string_view text, SourceStatements& lines);
 
 }  // namespace gouge
