@@ -1,6 +1,7 @@
 #include "cli/self_commands.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ostream>
 
 #include "cli/file_schemas.h"
@@ -27,18 +28,13 @@ void add_words(CLI::App& command, SelfArguments& arguments) {
 Result<const CLI::App*> command_called(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {
-    std::vector<std::string> names;
-    const CLI::App* next = nullptr;
-    for (const CLI::App* one : at->get_subcommands({})) {
-      names.push_back(one->get_name());
-      if (names.back() == word) next = one;
-    }
-    if (next == nullptr) {
+    const std::vector<std::string> names = command_names(*at);
+    if (std::ranges::find(names, word) == names.end()) {
       const std::string nearest = nearest_name(word, names);
       return make_error("usage", "'" + printable(word) + "' is no command of " + document(*at).name +
                                      (names.empty() ? "" : "; expected " + listed(names, " or ")) + meant(nearest));
     }
-    at = next;
+    at = at->get_subcommand(word);
   }
   return at;
 }
