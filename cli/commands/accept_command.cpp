@@ -188,7 +188,7 @@ class Acceptor {
   /// Returns whether the file has new entries, or does not exist although all findings were asked for.
   [[nodiscard]] bool is_to_write() const {
     std::error_code ignored;
-    return accepted_.size() > before_ || (arguments_.is_all && !fs::exists(arguments_.output, ignored));
+    return has_new() || (arguments_.is_all && !fs::exists(arguments_.output, ignored));
   }
 
   void tell(std::ostream& out) const {
@@ -197,11 +197,13 @@ class Acceptor {
       out << printable("accepted: " + made.toolpath + ":" + std::to_string(made.line) + ": " + made.finding) << "\n";
     }
     if (known_ > 0) out << count_text(known_, "finding") << " accepted before\n";
-    if (accepted_.size() > before_ || arguments_.is_all)
+    if (has_new() || arguments_.is_all)
       out << printable(arguments_.output + " has " + count_text(accepted_.size(), "accepted finding")) << "\n";
   }
 
  private:
+  [[nodiscard]] bool has_new() const { return accepted_.size() > before_; }
+
   Outcome add(const StoredResult& result, std::size_t number) {
     Result<Acceptance> made = accept_finding(result, number, note_, accepted_);
     if (!made) return made.error();
