@@ -20,6 +20,15 @@ void warn_of_unknown_unit(Toolpath& path) {
   }
 }
 
+Result<StatedTolerances> understand_tolerances(const ProgramReading& arguments) {
+  const Result<MotionTube> tube = understand_tube(arguments.tip_tolerance, arguments.axis_tolerance, false);
+  if (!tube) return tube.error();
+  StatedTolerances stated;
+  if (!arguments.tip_tolerance.empty()) stated.tip_mm = tube->tip_mm;
+  if (!arguments.axis_tolerance.empty()) stated.axis_rad = tube->axis_rad;
+  return stated;
+}
+
 }  // namespace
 
 void add_program_reading(CLI::App& command, ProgramReading& arguments, MachineOption machine) {
@@ -60,35 +69,45 @@ Result<ToolpathReader> ToolpathReader::make(const ProgramReading& arguments) {
   reader.options_ = std::move(*options);
   std::string bytes;
   if (auto error = read_tool_lengths(arguments.reading, reader.max_bytes_, reader.options_, bytes)) return *error;
-  StatedMachine stated = arguments.stated;
-  if (!arguments.tool_length.empty()) {
-    const Result<double> length = understand_length("--tool-length", arguments.tool_length, Minimum::zero);
-    if (!length) return length.error();
-    stated.tool_length_mm = reader.tool_length_mm_ = *length;
-  }
-  const Result<MotionTube> tube = understand_tube(arguments.tip_tolerance, arguments.axis_tolerance, false);
-  if (!tube) return tube.error();
-  if (auto error = find_wrong_machine_fact(stated)) return *error;
-  const auto stated_or = [](const std::string& typed, double value, double of_control) {
-    return stated_tolerance(typed.empty() ? of_control : value);
-  };
-  if (stated.machine.empty()) {
-    ProgramSetup setup = reader.options_.program ? *reader.options_.program : ProgramSetup{};
-    setup.tip_tolerance_mm = stated_or(arguments.tip_tolerance, tube->tip_mm, 0);
-    setup.axis_tolerance_rad = stated_or(arguments.axis_tolerance, tube->axis_rad, 0);
-    reader.options_.program = std::make_shared<const ProgramSetup>(std::move(setup));
+  if (auto error = reader.take_tool_length(arguments)) return *error;
+  const Result<StatedTolerances> tolerances = understand_tolerances(arguments);
+  if (!tolerances) return tolerances.error();
+  if (auto error = find_wrong_machine_fact(arguments.stated)) return *error;
+  if (arguments.stated.machine.empty()) {
+    reader.set_control(*tolerances);
     return reader;
   }
-  Result<Machine> machine = load_machine(stated, reader.max_bytes_, bytes);
+  if (auto error = reader.set_machine(arguments.stated, *tolerances)) return *error;
+  return reader;
+}
+
+std::optional<Diagnostic> ToolpathReader::take_tool_length(const ProgramReading& arguments) {
+  if (arguments.tool_length.empty()) return std::nullopt;
+  const Result<double> length = understand_length("--tool-length", arguments.tool_length, Minimum::zero);
+  if (!length) return length.error();
+  tool_length_mm_ = *length;
+  return std::nullopt;
+}
+
+void ToolpathReader::set_control(const StatedTolerances& tolerances) {
+  ProgramSetup setup = options_.program ? *options_.program : ProgramSetup{};
+  setup.tip_tolerance_mm = stated_tolerance(tolerances.tip_mm.value_or(0));
+  setup.axis_tolerance_rad = stated_tolerance(tolerances.axis_rad.value_or(0));
+  options_.program = std::make_shared<const ProgramSetup>(std::move(setup));
+}
+
+std::optional<Diagnostic> ToolpathReader::set_machine(StatedMachine stated, const StatedTolerances& tolerances) {
+  stated.tool_length_mm = tool_length_mm_;
+  std::string bytes;
+  Result<Machine> machine = load_machine(stated, max_bytes_, bytes);
   if (!machine) return machine.error();
   Control& control = machine->control;
   if (const auto law = turn_law_called(stated.joint_rapid_law)) control.joint_rapid_law = law;
-  reader.options_.program =
-      with_machine(reader.options_.program, *machine, stated, std::nullopt,
-                   stated_or(arguments.tip_tolerance, tube->tip_mm, control.tip_tolerance_mm),
-                   stated_or(arguments.axis_tolerance, tube->axis_rad, control.axis_tolerance_rad));
-  reader.machine_ = std::move(*machine);
-  return reader;
+  options_.program = with_machine(options_.program, *machine, stated, std::nullopt,
+                                  stated_tolerance(tolerances.tip_mm.value_or(control.tip_tolerance_mm)),
+                                  stated_tolerance(tolerances.axis_rad.value_or(control.axis_tolerance_rad)));
+  machine_ = std::move(*machine);
+  return std::nullopt;
 }
 
 ReadOutcome ToolpathReader::read(const std::string& file) const {

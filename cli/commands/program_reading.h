@@ -23,6 +23,11 @@ struct ProgramReading {
   InputLimit input;
 };
 
+/// What the smoothing of the control may cause, where an option states it.
+struct StatedTolerances {
+  std::optional<double> tip_mm, axis_rad;
+};
+
 enum class MachineOption : std::uint8_t { possible, required };
 
 /// Adds the options under their headings. The heading that is in force stays.
@@ -46,6 +51,11 @@ class ToolpathReader {
 
  private:
   ToolpathReader() = default;
+  std::optional<Diagnostic> take_tool_length(const ProgramReading& arguments);
+  /// Sets what the smoothing of the control may cause, without a machine.
+  void set_control(const StatedTolerances& tolerances);
+  /// Loads the machine, and sets what the smoothing of its control may cause.
+  std::optional<Diagnostic> set_machine(StatedMachine stated, const StatedTolerances& tolerances);
 
   ReadOptions options_;
   std::optional<Machine> machine_;
