@@ -78,19 +78,8 @@ void BlockRunner::take_modes() {
   if (words_.has('F')) take_feed();
   if (words_.has('S') && !(words_.value('S') >= 0)) return lose_rest("the speed of the spindle is not known", line_);
   if (words_.has('S')) motion_.set_spindle(words_.value('S'));
-  if (words_.has('T')) {
-    const std::optional<int> stated = words_.integer('T');
-    if (!stated || *stated < 0) return lose_rest("the number of the tool is not known", line_);
-    const bool is_change = words_.row_of(Meaning::tool_change) != nullptr;
-    if (is_change && modes_.has_waiting_tool && modes_.next_tool != stated && index_.control().may_load_waiting_tool)
-      return lose_rest(
-          "T" + std::to_string(*stated) + " stands beside M6 while T" + std::to_string(*modes_.next_tool) +
-              " is waiting, and the builder of the machine states which of both is loaded; expected T in a "
-              "block before M6",
-          line_);
-    modes_.next_tool = stated;
-    modes_.has_waiting_tool = true;
-  }
+  if (words_.has('T')) take_tool();
+  if (motion_.is_rest_unknown()) return;
   if (words_.row_of(Meaning::tool_change) != nullptr) change_tool();
   for (const GcodeRow* row : words_.rows()) take_path_control(*row);
   take_lengths();
@@ -103,6 +92,21 @@ void BlockRunner::take_modes() {
       motion_.end_doubt(ProgramDoubt::frame);
     }
   }
+}
+
+// Makes a tool ready for the next change.
+void BlockRunner::take_tool() {
+  const std::optional<int> stated = words_.integer('T');
+  if (!stated || *stated < 0) return lose_rest("the number of the tool is not known", line_);
+  const bool is_change = words_.row_of(Meaning::tool_change) != nullptr;
+  if (is_change && modes_.has_waiting_tool && modes_.next_tool != stated && index_.control().may_load_waiting_tool)
+    return lose_rest(
+        "T" + std::to_string(*stated) + " stands beside M6 while T" + std::to_string(*modes_.next_tool) +
+            " is waiting, and the builder of the machine states which of both is loaded; expected T in a "
+            "block before M6",
+        line_);
+  modes_.next_tool = stated;
+  modes_.has_waiting_tool = true;
 }
 
 // The modes that only give words a meaning.
