@@ -112,7 +112,7 @@ void add_callout(Page& page, const Area& area, const Vec2& target, const Vec2& c
   const Vec2 from(is_left ? box.x : box.right(), box.middle().y());
   page.line(from, target, {255, 255, 255, 0.9}, 5);
   page.line(from, target, kInk, 1.8);
-  page.disc(target, 6, {255, 255, 255, 1});
+  page.disc(target, 6, kWhite);
   page.disc(target, 4.2, kAlarm);
   page.box(box, {255, 255, 255, 0.94});
   page.frame(box, kInk, 1.5);

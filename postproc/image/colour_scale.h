@@ -10,6 +10,7 @@ namespace gouge {
 
 inline constexpr Colour kPartGrey{200, 204, 208, 1};
 inline constexpr Colour kFixtureGrey{158, 176, 196, 1};
+inline constexpr Colour kWhite{255, 255, 255, 1};
 inline constexpr Colour kInk{32, 38, 46, 1};
 inline constexpr Colour kSoftInk{104, 112, 122, 1};
 inline constexpr Colour kHairline{206, 211, 217, 1};

@@ -161,8 +161,7 @@ class Strip {
       const double target = x_of(static_cast<double>(event.event.worst_move) + 0.5);
       page.line({x, y}, {target, y_of(event.depth_mm)}, kInk, 1.2);
       page.disc({x, y}, 12, kInk);
-      page.text({x, y + 5}, std::to_string(event.number), fitting_size(std::to_string(event.number), 14, 19, true),
-                {255, 255, 255, 1}, TextAnchor::middle, true);
+      page.number_on_disc({x, y}, 12, event.number, kWhite);
     }
   }
 

@@ -30,7 +30,7 @@ void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& 
     page.shape({to, to - head * along + 0.45 * head * across, to - head * along - 0.45 * head * across}, kInk);
     page.shape({from, from + head * along + 0.45 * head * across, from + head * along - 0.45 * head * across}, kInk);
   }
-  page.disc(from, 4.5, {255, 255, 255, 1});
+  page.disc(from, 4.5, kWhite);
   page.disc(from, 3.2, kAlarm);
   const double width = text_width(words, 18, true) + 20;
   const Vec2 middle = 0.5 * (from + to);

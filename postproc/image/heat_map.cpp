@@ -171,9 +171,9 @@ void add_event_key(Page& page, const PictureSet& set, double x, double y) {
   const LengthUnit unit = set.model.toolpath->unit;
   for (const PictureEvent& event : set.events) {
     y += 40;
-    page.disc({x + 11, y - 5}, 11, kInk);
-    page.text({x + 11, y}, std::to_string(event.number), fitting_size(std::to_string(event.number), 14, 19, true),
-              {255, 255, 255, 1}, TextAnchor::middle, true);
+    const Vec2 disc(x + 11, y - 5);
+    page.disc(disc, 11, kInk);
+    page.number_on_disc(disc, 11, event.number, kWhite);
     const std::string depth =
         event.event.state == MoveState::buried ? std::string("buried") : depth_text(event.depth_mm, unit) + " deep";
     const double room = kPageWidth - 24 - x - 30;

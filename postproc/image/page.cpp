@@ -42,6 +42,12 @@ void Page::text(const Vec2& at, const std::string& words, double size, const Col
   drawing.items.emplace_back(DrawnText{at, words, size, colour, anchor, is_bold});
 }
 
+void Page::number_on_disc(const Vec2& centre, double radius, std::size_t number, const Colour& colour) {
+  const std::string words = std::to_string(number);
+  const double size = fitting_size(words, radius + 2, 1.65 * radius, true);
+  text(centre + Vec2(0, 0.4 * radius), words, size, colour, TextAnchor::middle, true);
+}
+
 namespace {
 
 bool is_of_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
@@ -83,7 +89,7 @@ Page make_page(const std::string& title, const std::string& verdict, const Colou
   if (!verdict.empty()) {
     const Area badge{kPageWidth - 36 - verdict_width, 20, verdict_width, 36};
     page.box(badge, verdict_colour);
-    page.text({badge.middle().x(), badge.y + 25}, verdict, 19, {255, 255, 255, 1}, TextAnchor::middle, true);
+    page.text({badge.middle().x(), badge.y + 25}, verdict, 19, kWhite, TextAnchor::middle, true);
   }
   double y = 74;
   for (const std::string& line : lines) {
@@ -231,12 +237,11 @@ void add_marker(Page& page, const Area& area, const Vec2& target, std::size_t nu
   const Vec2 along = (target - best).normalized();
   page.line(best + along * kRadius, target, {255, 255, 255, 0.85}, 4);
   page.line(best + along * kRadius, target, kInk, 1.6, is_hidden ? std::vector<double>{5, 4} : std::vector<double>{});
-  page.disc(target, 4.5, {255, 255, 255, 1});
+  page.disc(target, 4.5, kWhite);
   page.disc(target, 3, kInk);
   page.disc(best, kRadius, is_hidden ? kSoftInk : kInk);
-  page.disc(best, kRadius - 2, is_hidden ? Colour{255, 255, 255, 1} : kInk);
-  page.text(best + Vec2(0, 5.5), std::to_string(number), fitting_size(std::to_string(number), 16, 25, true),
-            is_hidden ? kSoftInk : Colour{255, 255, 255, 1}, TextAnchor::middle, true);
+  page.disc(best, kRadius - 2, is_hidden ? kWhite : kInk);
+  page.number_on_disc(best, kRadius, number, is_hidden ? kSoftInk : kWhite);
 }
 
 }  // namespace gouge

@@ -34,6 +34,8 @@ struct Page {
   void disc(const Vec2& centre, double radius, const Colour& fill);
   void text(const Vec2& at, const std::string& words, double size, const Colour& colour,
             TextAnchor anchor = TextAnchor::left, bool is_bold = false);
+  /// Adds the number of a finding in the middle of a disc, small enough to stay on it.
+  void number_on_disc(const Vec2& centre, double radius, std::size_t number, const Colour& colour);
 };
 
 /// Returns a page with its title and up to two lines below it, all shortened to fit.
