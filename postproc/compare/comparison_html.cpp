@@ -23,9 +23,6 @@ constexpr Section kSections[] = {{Change::fresh, "New", "bad"},
 // On a phone each finding is a block, with the names of its values.
 constexpr const char* kPhoneStyle = R"(
 @media screen and (max-width: 640px) {
-  thead { display: none; } table, tbody { display: block; }
-  tbody tr { display: grid; grid-template-columns: 1fr 1fr; gap: 2px 14px; padding: 10px 0; border-bottom: 1px solid var(--line); }
-  tbody td, tbody td.n, tbody td.n + td { border: 0; padding: 0; min-width: 0; text-align: left; } td::before { color: var(--soft); }
   td:nth-child(1)::before { content: "No. before "; } td:nth-child(2)::before { content: "now "; }
   td:nth-child(3) { grid-column: 1 / -1; } td:nth-child(3)::before { content: "Line "; }
   td:nth-child(4)::before { content: "Depth before "; } td:nth-child(5)::before { content: "now "; }
@@ -43,7 +40,7 @@ class ComparisonPage {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
         title + "</title>\n<style>" + std::string(kHtmlStyle) + kPhoneStyle +
-        "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" + "<p class=\"soft\">" +
+        "</style>\n</head>\n<body>\n<main class=\"cards\">\n<h1>" + title + "</h1>\n" + "<p class=\"soft\">" +
         xml_escaped(c_.before->record.toolpath.file + " (" + c_.before->record.verdict + "), then " +
                     c_.after->record.toolpath.file + " (" + c_.after->record.verdict + ")") +
         "</p>\n" + banner();
