@@ -10,9 +10,9 @@
 namespace gouge {
 namespace {
 
-void describe_program(CLI::App& app) {
+void describe_program(CLI::App& app, const HelpColumns& columns) {
   app.name(kProgramName);
-  app.formatter(make_help_formatter());
+  app.formatter(make_help_formatter(columns));
   app.description(
       "Certified gouge check and correction of 5-axis toolpaths.\n"
       "The usual job, which writes a report beside the toolpath:\n"
@@ -41,9 +41,9 @@ void add_colour_below(CLI::App& app, std::string& colour) {
 
 }  // namespace
 
-Program::Program() {
+Program::Program(const HelpColumns& columns) {
   Arguments& a = arguments;
-  describe_program(app);
+  describe_program(app, columns);
   add_check_options(*app.add_subcommand("check", "Check a toolpath for gouges and report them"), a.check);
   add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"), a.correct);
   add_batch_options(

@@ -16,6 +16,7 @@
 #include "cli/commands/verify_command.h"
 #include "cli/options/batch_options.h"
 #include "cli/options/correct_options.h"
+#include "cli/options/help_text.h"
 #include "cli/self_commands.h"
 
 namespace gouge {
@@ -40,7 +41,8 @@ struct Arguments {
 
 /// The table of all commands and their options, and the variables for their values.
 struct Program {
-  Program();
+  /// The `columns` are those of help pages.
+  explicit Program(const HelpColumns& columns = HelpColumns());
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 

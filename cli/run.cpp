@@ -83,9 +83,9 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
 }
 
 // Prints the short page of a command that has one.
-bool print_short_help(const CLI::App& app, std::ostream& out) {
+bool print_short_help(const CLI::App& app, const HelpColumns& columns, std::ostream& out) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
-  const std::string text = commands.empty() ? "" : short_help(*commands.back());
+  const std::string text = commands.empty() ? "" : short_help(*commands.back(), columns);
   out << text;
   return !text.empty();
 }
@@ -102,7 +102,8 @@ int after_printing(int status, std::ostream& out, std::ostream& err) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   try {
-    Program program;
+    const HelpColumns columns(terminal_columns(out));
+    Program program(columns);
     CLI::App& app = program.app;
     Arguments& arguments = program.arguments;
     choose_colour(err, "auto");
@@ -117,7 +118,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       app.parse(std::move(reversed));
     } catch (const CLI::ParseError& error) {
       choose_colour(err, program.colour());
-      if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr && print_short_help(app, out))
+      if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr && print_short_help(app, columns, out))
         return after_printing(kExitClean, out, err);
       // CLI11 reports --help and --version as errors of status 0.
       if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);

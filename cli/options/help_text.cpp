@@ -13,37 +13,47 @@ namespace gouge {
 
 namespace {
 
-constexpr std::size_t kWidth = 80;
-constexpr std::size_t kNames = 30;  // columns for what stands left of the descriptions
-
-std::string help_row(const std::string& name, const std::string& text) {
-  std::string line = "  " + name;
-  line += line.size() + 1 < kNames ? std::string(kNames - line.size(), ' ') : "\n" + std::string(kNames, ' ');
-  return line + wrapped(text, kWidth, kNames) + "\n";
-}
-
-std::string paragraph(const std::string& text) { return text.empty() ? text : wrapped(text, kWidth, 0) + "\n"; }
-
 class HelpFormatter : public CLI::Formatter {
  public:
+  explicit HelpFormatter(const HelpColumns& columns) : columns_(columns) {}
+
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const OptionDoc doc = document(*option);
     const std::string value = is_positional || doc.value.empty() ? "" : " " + doc.value;
-    return help_row(listed(doc.names) + value, doc.full_description());
+    return columns_.row(listed(doc.names) + value, doc.full_description());
   }
   std::string make_subcommand(const CLI::App* command) const override {
-    return help_row(command->get_name(), command->get_description());
+    return columns_.row(command->get_name(), command->get_description());
   }
-  std::string make_description(const CLI::App* command) const override { return paragraph(command->get_description()); }
+  std::string make_description(const CLI::App* command) const override {
+    return columns_.paragraph(command->get_description());
+  }
   std::string make_footer(const CLI::App* command) const override {
     const std::string rule = length_rule(*command);
-    return paragraph(rule + (rule.empty() ? "" : "\n\n") + command->get_footer());
+    return columns_.paragraph(rule + (rule.empty() ? "" : "\n\n") + command->get_footer());
   }
+
+ private:
+  HelpColumns columns_;
 };
 
 }  // namespace
 
-std::shared_ptr<CLI::FormatterBase> make_help_formatter() { return std::make_shared<HelpFormatter>(); }
+std::string HelpColumns::row(const std::string& name, const std::string& description, std::size_t names) const {
+  constexpr std::size_t kMinBeside = 72, kNarrow = 6;  // below kMinBeside, descriptions stand below the names
+  const std::size_t left = all_ < kMinBeside ? kNarrow : names;
+  std::string line = "  " + name;
+  line += line.size() + 1 < left ? std::string(left - line.size(), ' ') : "\n" + std::string(left, ' ');
+  return line + wrapped(description, all_, left) + "\n";
+}
+
+std::string HelpColumns::paragraph(const std::string& text) const {
+  return text.empty() ? text : wrapped(text, all_, 0) + "\n";
+}
+
+std::shared_ptr<CLI::FormatterBase> make_help_formatter(const HelpColumns& columns) {
+  return std::make_shared<HelpFormatter>(columns);
+}
 
 namespace {
 

@@ -75,25 +75,24 @@ std::string value_of(const OptionDoc& doc) {
   return doc.value.size() <= kMaxValue ? doc.value : "NAME";
 }
 
-std::string row(const CLI::App& command, const UsualOption& usual) {
+std::string row(const CLI::App& command, const UsualOption& usual, const HelpColumns& columns) {
   constexpr std::size_t kTextAt = 28;
   const OptionDoc doc = document(*command.get_option(std::string(usual.option)));
-  std::string line = "  " + listed(doc.names) + (doc.value.empty() ? "" : " " + value_of(doc));
-  line += std::string(std::max(kTextAt, line.size() + 1) - line.size(), ' ');
-  return line + std::string(usual.text) + (doc.is_required ? " [required]" : "") + "\n";
+  return columns.row(listed(doc.names) + (doc.value.empty() ? "" : " " + value_of(doc)),
+                     std::string(usual.text) + (doc.is_required ? " [required]" : ""), kTextAt);
 }
 
 }  // namespace
 
-std::string short_help(const CLI::App& command) {
+std::string short_help(const CLI::App& command, const HelpColumns& columns) {
   const auto page = std::ranges::find(pages(), command.get_name(), &Page::command);
   if (page == pages().end() || command.get_parent() == nullptr || command.get_parent()->get_parent() != nullptr)
     return {};
-  std::string text = command.get_description() + "\nUsage: " + std::string(page->usage) + "\n\n";
+  std::string text = columns.paragraph(command.get_description() + "\nUsage: " + std::string(page->usage) + "\n");
   for (const std::span<const UsualOption> options : page->options)
-    for (const UsualOption& usual : options) text += row(command, usual);
-  return text + "\nLengths are in mm, or have a unit: 0.5mm, 20um, 0.02in.\nAll options: " + kProgramName + " help " +
-         command.get_name() + " --all\n";
+    for (const UsualOption& usual : options) text += row(command, usual, columns);
+  return text + columns.paragraph("\nLengths are in mm, or have a unit: 0.5mm, 20um, 0.02in.\nAll options: " +
+                                  std::string(kProgramName) + " help " + command.get_name() + " --all");
 }
 
 }  // namespace gouge

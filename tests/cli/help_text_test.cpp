@@ -6,6 +6,8 @@
 #include <sstream>
 #include <vector>
 
+#include "cli/options/short_help.h"
+#include "cli/program.h"
 #include "cli/run.h"
 #include "lib/base/printable_text.h"
 
@@ -77,6 +79,23 @@ TEST(HelpText, CommandsWithManyOptionsShowTheUsualOnesOnAPage) {
     EXPECT_NE(text.find("--part FILE"), std::string::npos) << text;
     EXPECT_NE(text.find("All options: gougecheck help " + std::string(command) + " --all\n"), std::string::npos)
         << text;
+  }
+}
+
+TEST(HelpText, NarrowTerminalsGetNarrowPages) {
+  for (const std::size_t width : {30U, 48U, 71U, 200U}) {
+    const HelpColumns columns(width);
+    Program program(columns);
+    std::string text = program.app.help() + short_help(*program.app.get_subcommand("check"), columns);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_example =
+          line.find("  gougecheck") != std::string::npos || line.find("[OPTIONS") != std::string::npos;
+      const bool is_one_word = line.find(' ', line.find_first_not_of(' ')) == std::string::npos;
+      EXPECT_TRUE(is_example || is_one_word || line.starts_with("  -") ||
+                  line.size() <= std::min(width, std::size_t{80}))
+          << width << ": " << line;
+    }
   }
 }
 
