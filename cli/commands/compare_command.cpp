@@ -46,7 +46,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
       ->type_name("FILE");
   command.add_flag("--paths", arguments.are_paths,
                    "OLD and NEW are two readings of a toolpath, such as CL data and the program made of it: show the "
-                   "largest distance of their tips and axes");
+                   "largest distance of their tips and axes, and the first feed rate that differs");
   add_program_reading(command, arguments, MachineOption::possible);
   add_verbosity(command, arguments, "List the unchanged findings too (not with -q)");
   command.footer(
@@ -65,9 +65,8 @@ int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostre
   if (const auto error = find_contradiction(arguments)) return fail(err, {*error});
   const Result<double> same_within = understand_length("--same-within", arguments.same_within, Minimum::zero);
   if (!same_within) return fail(err, {same_within.error()});
-  if (arguments.are_paths && !(arguments.html_file.empty() && arguments.json_file.empty()))
-    return fail(err,
-                {make_error("usage", "--html and --json write a comparison of results; --paths prints text alone")});
+  if (arguments.are_paths && !arguments.html_file.empty())
+    return fail(err, {make_error("usage", "--html writes a comparison of results; --paths takes --json FILE")});
   if (arguments.are_paths) return run_compare_paths(arguments, *same_within, out, err);
   const OutputTable outputs = asked_for({{"--html", arguments.html_file}, {"--json", arguments.json_file}});
   const Result<bool> taken = is_stdout_taken(outputs);

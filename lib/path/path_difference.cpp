@@ -104,6 +104,12 @@ class Nearest {
   std::size_t last_ = 0;
 };
 
+bool has_other_feed(const Move& move, const Move& other) {
+  const Feed one = move.feed(), two = other.feed();
+  if (!one.is_number() || one.unit != two.unit || one.mm <= 0 || two.mm <= 0) return false;
+  return std::abs(one.mm - two.mm) > PathDifference::kSameFeed * std::max(one.mm, two.mm);
+}
+
 }  // namespace
 
 std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other, double height_mm) {
@@ -125,6 +131,10 @@ std::optional<PathDifference> measure_difference(const Toolpath& path, const Too
       difference.axis_move = i;
       difference.axis_other = nearest.move();
     }
+    if (!has_other_feed(path.moves[i], other.moves[nearest.move()])) continue;
+    if (difference.other_feeds++ > 0) continue;
+    difference.feed_move = i;
+    difference.feed_other = nearest.move();
   }
   return difference.positions > 0 ? std::optional(difference) : std::nullopt;
 }

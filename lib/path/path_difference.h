@@ -14,6 +14,11 @@ struct PathDifference {
   double axis_rad = 0;        ///< largest angle between the axes there
   /// The position of the largest value, and the nearest motion; kNone: there is no position.
   std::size_t tip_move = kNone, tip_other = kNone, axis_move = kNone, axis_other = kNone;
+  /// Positions at which both motions have a feed rate in the same unit, and they differ by more than kSameFeed.
+  std::size_t other_feeds = 0;
+  std::size_t feed_move = kNone, feed_other = kNone;  ///< the first of them, and the nearest motion
+
+  static constexpr double kSameFeed = 0.001;  ///< share of a feed rate, for the rounding of programs
 };
 
 /// Measures the end of each checked feed of `path` against the feeds of `other`, along their arcs and splines. The nearest

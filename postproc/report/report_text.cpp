@@ -294,14 +294,13 @@ std::string span_text(const Event& event) {
          std::to_string(event.last_move) + ")";
 }
 
-namespace {
-
 std::string feed_text(const Feed& feed, LengthUnit unit) {
-  const bool is_rate = feed.unit == FeedUnit::per_minute || feed.unit == FeedUnit::per_revolution;
   if (feed.unit == FeedUnit::rapid) return "rapid";
-  if (!is_rate || !(feed.mm > 0)) return {};
+  if (!feed.is_number() || !(feed.mm > 0)) return {};
   return "feed " + length_text(feed.mm, unit) + (feed.unit == FeedUnit::per_minute ? "/min" : "/rev");
 }
+
+namespace {
 
 // Returns the speed of the spindle in a move; empty: not known.
 std::string spindle_text(const Move& move) {

@@ -84,6 +84,8 @@ struct UncutTotal {
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);
 /// Returns " (7 moves, 118-124)", or nothing if the event is one move.
 [[nodiscard]] std::string span_text(const Event& event);
+/// Returns "feed 800 mm/min" or "rapid"; empty: not known.
+[[nodiscard]] std::string feed_text(const Feed& feed, LengthUnit unit);
 /// Returns where the event is in the words of the shop: ", lines 12-13, operation FINISH, tool ball D10, feed 800 mm/min,
 /// spindle 12000 rpm".
 /// Parts that are not known are left out.

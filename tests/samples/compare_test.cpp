@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -187,9 +188,29 @@ TEST_F(Compare, TheFolderOfAReportIsItsResultAndStaysAsItIs) {
   for (const char* const option : {"--html", "--json"})
     EXPECT_EQ(shop_.run({"compare", "rep", "b.json", option, "rep/result.json"}).exit_status, 2);
   EXPECT_EQ(shop_.read("rep/result.json"), whole);
-  const Outcome paths = shop_.run({"compare", "--paths", "path.apt", "path.apt", "--json", "p.json"});
+  const Outcome paths = shop_.run({"compare", "--paths", "path.apt", "path.apt", "--html", "p.html"});
   EXPECT_EQ(paths.exit_status, 2);
-  EXPECT_NE(paths.err.find("--paths prints text alone"), std::string::npos) << paths.err;
+  EXPECT_NE(paths.err.find("--paths takes --json"), std::string::npos) << paths.err;
+}
+
+TEST_F(Compare, ReadingsOfAPathAreComparedAsJson) {
+  const std::string feeds = "UNITS/MM\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/1,0,0\nFEDRAT/200,MMPM\nGOTO/2,0,0\nFINI\n";
+  shop_.write("a.apt", feeds);
+  std::string faster = feeds;
+  faster.replace(faster.find("200"), 3, "220");
+  shop_.write("b.apt", faster);
+  const Outcome ran = shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "-"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json["format"], "gougecheck-path-comparison");
+  EXPECT_EQ(json["before_against_after"]["tip"]["mm"], 0);
+  EXPECT_EQ(json["before_against_after"]["other_feed_rates"],
+            nlohmann::json({{"count", 1}, {"line", 6}, {"nearest_line", 6}}));
+  const Outcome text = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
+  EXPECT_NE(text.out.find("1, first feed 200 mm/min at a.apt:6, nearest b.apt:6: feed 220 mm/min"), std::string::npos)
+      << text.out;
+  EXPECT_EQ(shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "a.apt"}).exit_status, 2);
+  EXPECT_EQ(shop_.read("a.apt"), feeds);
 }
 
 TEST_F(Compare, AResultThatIsNotAsItWasWrittenIsRefused) {

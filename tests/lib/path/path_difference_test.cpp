@@ -45,5 +45,22 @@ TEST(PathDifference, NamesTheFarthestFeedAndTheNearestOneOfTheOther) {
   EXPECT_EQ(difference->tip_other, 2U);
 }
 
+TEST(PathDifference, CountsFeedRatesThatDifferByMoreThanTheirRounding) {
+  Toolpath path = hole(MoveKind::rapid, MoveKind::feed);
+  path.moves[2].set_feed({800, FeedUnit::per_minute});
+  Toolpath other = path;
+  const auto count = [&](double feed, FeedUnit unit) {
+    other.moves[2].set_feed({feed, unit});
+    return measure_difference(path, other, kHeight_mm)->other_feeds;
+  };
+  EXPECT_EQ(count(800.4, FeedUnit::per_minute), 0U);
+  EXPECT_EQ(count(0, FeedUnit::not_stated), 0U);
+  EXPECT_EQ(count(0.2, FeedUnit::per_revolution), 0U) << "the speed of the spindle is not known";
+  EXPECT_EQ(count(808, FeedUnit::per_minute), 1U);
+  const auto difference = measure_difference(path, other, kHeight_mm);
+  EXPECT_EQ(difference->feed_move, 2U);
+  EXPECT_EQ(difference->feed_other, 2U);
+}
+
 }  // namespace
 }  // namespace gouge

@@ -1,0 +1,92 @@
+#include "postproc/compare/path_comparison.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+#include "lib/base/units.h"
+#include "postproc/report/report_model.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kDecimals = 6;
+
+std::size_t line_of(const Toolpath& path, std::size_t move) { return path.moves[move].line; }
+
+std::string row(const std::string& name, const std::string& value) {
+  constexpr std::size_t kValueAt = 34;
+  return padded(name, kValueAt) + printable(value) + "\n";
+}
+
+std::string places_text(const Toolpath& path, std::size_t move, const Toolpath& other, std::size_t other_move) {
+  const auto place = [](const Toolpath& of, std::size_t at) { return of.file + ":" + std::to_string(line_of(of, at)); };
+  return " at " + place(path, move) + ", nearest " + place(other, other_move);
+}
+
+std::string feed_row(const PathDifference& of, const Toolpath& path, const Toolpath& other) {
+  if (of.other_feeds == 0) return {};
+  const auto rate = [](const Toolpath& in, std::size_t move) { return feed_text(in.moves[move].feed(), in.unit); };
+  return row("  other feed rates", std::to_string(of.other_feeds) + ", first " + rate(path, of.feed_move) +
+                                       places_text(path, of.feed_move, other, of.feed_other) + ": " +
+                                       rate(other, of.feed_other));
+}
+
+std::string difference_text(const char* which, const PathDifference& of, const Toolpath& path, const Toolpath& other) {
+  return row(which, count_text(of.positions, "feed")) +
+         row("  largest distance of a tip",
+             display_text(of.tip_mm, kDecimals) + " mm" + places_text(path, of.tip_move, other, of.tip_other)) +
+         row("  largest angle of an axis", display_text(of.axis_rad / kDegree_rad, kDecimals) + " deg" +
+                                               places_text(path, of.axis_move, other, of.axis_other)) +
+         feed_row(of, path, other);
+}
+
+Json difference_json(const PathDifference& of, const Toolpath& path, const Toolpath& other) {
+  const auto lines = [&](Json value, std::size_t move, std::size_t other_move) {
+    value["line"] = line_of(path, move);
+    value["nearest_line"] = line_of(other, other_move);
+    return value;
+  };
+  Json feeds = {{"count", of.other_feeds}};
+  if (of.other_feeds > 0) feeds = lines(std::move(feeds), of.feed_move, of.feed_other);
+  return {{"positions", of.positions},
+          {"tip", lines({{"mm", of.tip_mm}}, of.tip_move, of.tip_other)},
+          {"axis", lines({{"degrees", of.axis_rad / kDegree_rad}}, of.axis_move, of.axis_other)},
+          {"other_feed_rates", std::move(feeds)}};
+}
+
+}  // namespace
+
+ExitCode PathComparison::exit_status() const {
+  const double tip_mm = std::max(forward.tip_mm, backward.tip_mm),
+               axis_mm = std::max(forward.axis_rad, backward.axis_rad) * kHeight_mm;
+  if (std::max(tip_mm, axis_mm) > same_within_mm) return kExitGouges;
+  return unchecked > 0 ? kExitNotChecked : kExitClean;
+}
+
+std::string comparison_text(const PathComparison& c) {
+  return difference_text("OLD against NEW", c.forward, *c.before, *c.after) +
+         difference_text("NEW against OLD", c.backward, *c.after, *c.before) +
+         (c.unchecked > 0 ? row("moves not checked, not compared", std::to_string(c.unchecked)) : std::string());
+}
+
+std::string comparison_json(const PathComparison& c) {
+  const Json json = {{"format", "gougecheck-path-comparison"},
+                     {"format_version", 1},
+                     {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},
+                     {"exit_status", static_cast<int>(c.exit_status())},
+                     {"before", valid_utf8(c.before->file)},
+                     {"after", valid_utf8(c.after->file)},
+                     {"same_within_mm", c.same_within_mm},
+                     {"height_mm", PathComparison::kHeight_mm},
+                     {"not_compared", c.unchecked},
+                     {"before_against_after", difference_json(c.forward, *c.before, *c.after)},
+                     {"after_against_before", difference_json(c.backward, *c.after, *c.before)}};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace gouge

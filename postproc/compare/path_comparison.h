@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "lib/base/exit_code.h"
+#include "lib/path/path_difference.h"
+
+namespace gouge {
+
+/// Two readings of a toolpath, such as CL data and the program that a post-processor made of it. The paths must outlive
+/// the object.
+struct PathComparison {
+  /// An angle between tool axes counts as the distance that it makes at this height above the tip.
+  static constexpr double kHeight_mm = 100;
+
+  const Toolpath* before = nullptr;
+  const Toolpath* after = nullptr;
+  PathDifference forward, backward;  ///< of `before` against `after`, and the reverse
+  std::size_t unchecked = 0;         ///< moves of both paths that are not checked, and so not compared
+  double same_within_mm = 0;
+
+  /// Gouges: a tip or axis is farther than `same_within_mm`. Not checked: no such difference, but unchecked moves.
+  [[nodiscard]] ExitCode exit_status() const;
+};
+
+/// Returns the largest distances and the first different feed rate, in lines for people.
+[[nodiscard]] std::string comparison_text(const PathComparison& comparison);
+/// Returns the same as JSON: docs/formats/compare.md.
+[[nodiscard]] std::string comparison_json(const PathComparison& comparison);
+
+}  // namespace gouge
