@@ -63,8 +63,8 @@ struct JunitCase {
   std::string name;
   std::size_t moves = 0;
   std::string failure_type, failure_message, failure_text;  ///< empty type: no failure
-  std::string skipped_message;                              ///< empty: not skipped
-  std::string error_message;                                ///< empty: none
+  std::string skipped_message;                              ///< why the job has not run; empty: it has
+  std::string error_message;                                ///< what is not established; empty: nothing
 };
 
 /// The data of one run for a JUnit file. `seconds` is divided among the cases in proportion to their moves.

@@ -91,6 +91,11 @@ std::string failure_text(const ReportModel& model, const Case& one) {
   return text;
 }
 
+std::string open_text(const ReportModel& model, const Case& one) {
+  return std::to_string(one.open) + " of " + count_text(one.moves, "move") +
+         " not checked or not certified: " + reason_text(model.result->verdicts[one.first_open].reason);
+}
+
 JunitCase case_of(const ReportModel& model, const Case& one) {
   JunitCase made;
   made.name = case_name(model, one);
@@ -98,11 +103,10 @@ JunitCase case_of(const ReportModel& model, const Case& one) {
   if (one.gouging + one.buried > 0) {
     made.failure_type = one.gouging > 0 ? "gouge" : "buried";
     made.failure_message = failure_message(model, one);
+    if (one.open > 0) made.failure_message += "; " + open_text(model, one);
     made.failure_text = failure_text(model, one);
   } else if (one.open > 0) {
-    made.skipped_message =
-        std::to_string(one.open) + " of " + count_text(one.moves, "move") +
-        " not checked or not certified: " + reason_text(model.result->verdicts[one.first_open].reason);
+    made.error_message = open_text(model, one);  // build servers count skipped cases as passed
   }
   return made;
 }
@@ -128,7 +132,7 @@ JunitCase excess_case(const ReportModel& model) {
     made.failure_message = excess_text(model);
     made.failure_text = places;
   } else if (!facts.places.empty()) {
-    made.skipped_message = excess_text(model);
+    made.error_message = excess_text(model);
   }
   return made;
 }

@@ -58,8 +58,8 @@ void put_csv(const ReportModel& model, const PutText& put);
 [[nodiscard]] std::string write_sarif(const ReportModel& model);
 
 /// Returns the result as JUnit XML, for build servers: one test case for each operation and tool, in path order. A case
-/// fails on gouges and buried tools, and the worst of them is named. It counts as skipped if it has moves that could
-/// not be checked or certified. The `time` of the suite is model.seconds. That of a case is a share in proportion to
+/// fails on gouges and buried tools, and the worst of them is named. It counts as an error if it has moves that
+/// could not be checked or certified. The `time` of the suite is model.seconds. That of a case is a share in proportion to
 /// its moves, because all moves are swept together.
 [[nodiscard]] std::string write_junit(const ReportModel& model);
 
