@@ -72,13 +72,8 @@ std::optional<std::string> find_other_size(const Toolpath& path, const Scene& sc
 }
 
 std::optional<std::string> find_apart(const ClosestApproach& closest_approach) {
-  constexpr std::size_t kMinPositions = 10;
-  constexpr double kApart_mm = 2;  // distance beyond the stock to leave
-  const double nearest_mm = closest_approach.nearest_mm.value_or(ClosestApproach::kFar_mm);
-  if (closest_approach.positions < kMinPositions || nearest_mm <= kApart_mm) return std::nullopt;
-  // The distance is rounded down, because it must hold for each position.
-  return "at none of " + positions_examined(closest_approach) + " is the tool nearer than " +
-         fixed_text(std::floor(closest_approach.apart_mm * 10) / 10, 1) + " mm to the part";
+  if (closest_approach.positions < ClosestApproach::kMinPositions || !closest_approach.is_apart()) return std::nullopt;
+  return apart_text(closest_approach);
 }
 
 std::optional<std::string> describe_misfit(const Toolpath& path, const PathFit& fit) {

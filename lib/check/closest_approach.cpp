@@ -1,6 +1,7 @@
 #include "lib/check/closest_approach.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/base/number_text.h"
@@ -82,6 +83,12 @@ std::string positions_examined(const ClosestApproach& closest_approach) {
   const std::string positions = count_text(closest_approach.positions, "cutting position");
   if (closest_approach.positions == closest_approach.cuts) return positions;
   return positions + " examined (of " + std::to_string(closest_approach.cuts) + ")";
+}
+
+std::string apart_text(const ClosestApproach& closest_approach) {
+  // The distance is rounded down, because it must hold for each position.
+  return "at none of " + positions_examined(closest_approach) + " is the tool nearer than " +
+         fixed_text(std::floor(closest_approach.apart_mm * 10) / 10, 1) + " mm to the part";
 }
 
 std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath,

@@ -15,7 +15,9 @@ namespace gouge {
 /// shows at a glance whether path and part coincide. Both distances are upper bounds: the tool reaches them, and may
 /// come closer between the sampled positions.
 struct ClosestApproach {
-  static constexpr double kFar_mm = 20;  ///< greater distances are not measured
+  static constexpr double kFar_mm = 20;             ///< greater distances are not measured
+  static constexpr double kApart_mm = 2;            ///< a tool that is never nearer hardly cuts the part
+  static constexpr std::size_t kMinPositions = 10;  ///< fewer positions do not contradict the placement of the part
 
   std::size_t cuts = 0;       ///< number of moves with a tool that are neither rapid nor unchecked
   std::size_t positions = 0;  ///< number of cuts whose ends were examined: one from each of as many equal shares
@@ -24,7 +26,13 @@ struct ClosestApproach {
   std::optional<double> nearest_mm;
   std::optional<double> median_mm;  ///< at half of the positions the distance is at most this
   double apart_mm = 0;  ///< proved minimum distance at the examined positions; the other positions may be closer
+
+  /// Returns whether the tool is near the part at no examined position.
+  [[nodiscard]] bool is_apart() const { return positions > 0 && nearest_mm.value_or(kFar_mm) > kApart_mm; }
 };
+
+/// Returns a text such as "at none of 37 cutting positions is the tool nearer than 4.0 mm to the part".
+[[nodiscard]] std::string apart_text(const ClosestApproach& closest_approach);
 
 /// Returns a text such as "37 cutting positions" or "400 cutting positions examined (of 2425)".
 [[nodiscard]] std::string positions_examined(const ClosestApproach& closest_approach);

@@ -132,8 +132,8 @@ std::string write_batch_page(const std::vector<JobResult>& jobs, const SignOff& 
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<title>Gouge check: batch</title>\n<style>" +
       std::string(kHtmlStyle) + std::string(kBatchStyle) +
-      "</style>\n</head>\n<body>\n<main class=\"cards\">\n<h1>Gouge check: batch</h1>\n" + against(jobs) + sign_off_facts(sign_off) +
-      banner(jobs) + numbers(jobs) + sign_off_lines(sign_off) +
+      "</style>\n</head>\n<body>\n<main class=\"cards\">\n<h1>Gouge check: batch</h1>\n" + against(jobs) +
+      sign_off_facts(sign_off) + banner(jobs) + numbers(jobs) + sign_off_lines(sign_off) +
       "<h2>Jobs</h2>\n<p id=\"tools\"><input id=\"filter\" type=\"search\" placeholder=\"Filter by words\" "
       "aria-label=\"Filter by words\"><span id=\"shown\" class=\"soft\" role=\"status\"></span></p>\n"
       "<div class=\"wide\"><table><thead><tr><th></th>";

@@ -162,6 +162,20 @@ std::string chord_error_text(const ReportModel& model) {
 
 }  // namespace
 
+namespace {
+
+// So few cuts do not contradict the placement, but the user should look at it.
+std::string few_cuts_apart_text(const ReportModel& model) {
+  const std::optional<ClosestApproach>& approach = model.result->closest_approach;
+  const bool is_stated = std::ranges::any_of(model.result->assumptions, [](const Assumption& fact) {
+    return fact.subject == Subject::placement && fact.basis != Basis::by_default;
+  });
+  if (!approach || is_stated || !approach->is_apart()) return {};
+  return apart_text(*approach) + "; check units and --place";
+}
+
+}  // namespace
+
 std::vector<std::string> reservations(const ReportModel& model) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> all = remedies(model);
@@ -179,6 +193,7 @@ std::vector<std::string> reservations(const ReportModel& model) {
     all.push_back(std::move(low));
   if (std::string gaps = depth_gaps_text(model); !gaps.empty()) all.push_back(std::move(gaps));
   if (std::string chords = chord_error_text(model); !chords.empty()) all.push_back(std::move(chords));
+  if (std::string apart = few_cuts_apart_text(model); !apart.empty()) all.push_back(std::move(apart));
   std::string bare;
   std::size_t count = 0;
   for (const ToolFacts& tool : model.tools) {

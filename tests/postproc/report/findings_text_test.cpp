@@ -205,6 +205,19 @@ TEST(FindingsText, SaysBesideTheVerdictWhatItDoesNotCover) {
   EXPECT_EQ(reservations(report.model)[0], "T1, T1, T1, T1, T1 and 2 more have no holder, so none is checked");
 }
 
+TEST(FindingsText, NotesFewCutsThatStayAwayFromThePart) {
+  SmallReport report;
+  report.result.closest_approach = ClosestApproach{3, 3, 8.59, {}, 8.58};
+  const std::string note =
+      "at none of 3 cutting positions is the tool nearer than 8.5 mm to the part; check units and --place";
+  EXPECT_EQ(reservations(report.model), std::vector{note});
+  report.result.closest_approach->nearest_mm = 1.5;
+  EXPECT_TRUE(reservations(report.model).empty());
+  report.result.closest_approach->nearest_mm.reset();
+  report.result.assumptions.push_back({.subject = Subject::placement, .basis = Basis::stated});
+  EXPECT_TRUE(reservations(report.model).empty()) << "the user states that the part is in its place";
+}
+
 TEST(FindingsText, AnOpenFactKeepsAPathOfCleanMovesFromBeingClean) {
   SmallReport report;
   report.result.events.clear();
