@@ -100,11 +100,10 @@ void BlockRunner::take_tool() {
   if (!stated || *stated < 0) return lose_rest("the number of the tool is not known", line_);
   const bool is_change = words_.row_of(Meaning::tool_change) != nullptr;
   if (is_change && modes_.has_waiting_tool && modes_.next_tool != stated && index_.control().may_load_waiting_tool)
-    return lose_rest(
-        "T" + std::to_string(*stated) + " stands beside M6 while T" + std::to_string(*modes_.next_tool) +
-            " is waiting, and the builder of the machine states which of both is loaded; expected T in a "
-            "block before M6",
-        line_);
+    return lose_rest("T" + std::to_string(*stated) + " stands beside M6 while T" + std::to_string(*modes_.next_tool) +
+                         " is waiting, and the builder of the machine states which of both is loaded; expected T in a "
+                         "block before M6",
+                     line_);
   modes_.next_tool = stated;
   modes_.has_waiting_tool = true;
 }
