@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -22,7 +23,7 @@
 namespace gouge {
 namespace {
 
-constexpr PagedLimits kUsual{std::size_t{64} << 20U, std::size_t{512} << 20U};
+constexpr PagedLimits kUsual{std::size_t{64} << 20U, std::size_t{512} << 20U, std::size_t{512} << 20U};
 
 // Opens a file without a name. It disappears with the process, in whatever way the process ends.
 int open_nameless() {
@@ -68,7 +69,7 @@ class Pages {
   // Tests of the program (docs/develop/testing.md) set a size: all arrays from it on are in files, and no page is kept.
   Pages() {
     if (const char* const asked = std::getenv("GOUGE_PAGED_BYTES"); asked != nullptr)
-      set({static_cast<std::size_t>(std::strtoull(asked, nullptr, 10)), 0});
+      set({static_cast<std::size_t>(std::strtoull(asked, nullptr, 10)), 0, 0});
   }
   Pages(const Pages&) = delete;
   Pages& operator=(const Pages&) = delete;
@@ -76,36 +77,24 @@ class Pages {
 
   PagedLimits set(const PagedLimits& limits) {
     const std::scoped_lock lock(guard_);
-    const PagedLimits before{min_file_bytes_, resident_bytes_};
+    const PagedLimits before{min_file_bytes_, resident_bytes_, plain_bytes_};
     min_file_bytes_ = limits.min_file_bytes;
     resident_bytes_ = limits.resident_bytes;
+    plain_bytes_ = limits.plain_bytes;
     return before;
   }
 
   void* allocate(std::size_t bytes) {
-    if (bytes < min_file_bytes_ || bytes == 0) return nullptr;
-    void* const start = map_file(bytes);
-    if (start == nullptr) return nullptr;
-    const std::scoped_lock lock(guard_);
-    arrays_.emplace(start, bytes);
-    if (bytes < smallest_) smallest_ = bytes;
-    if (arrays_.size() == 1) begin();
+    if (bytes >= min_file_bytes_ && bytes > 0) {
+      if (void* const start = allocate_large(bytes)) return start;
+    }
+    void* const start = ::operator new(bytes);
+    ask_for_large_pages(start, bytes);
     return start;
   }
 
-  bool free(void* start, std::size_t bytes) noexcept {
-    if (bytes < smallest_) return false;
-    bool is_last = false;
-    {
-      const std::scoped_lock lock(guard_);
-      const auto found = arrays_.find(start);
-      if (found == arrays_.end()) return false;
-      ::munmap(start, found->second);
-      arrays_.erase(found);
-      is_last = arrays_.empty();
-    }
-    if (is_last) news_.notify_all();
-    return true;
+  void free(void* start, std::size_t bytes) noexcept {
+    if (bytes < smallest_ || !free_large(start)) ::operator delete(start);
   }
 
   std::size_t count() {
@@ -114,6 +103,40 @@ class Pages {
   }
 
  private:
+  // Null: no file can be made, so the array is in plain memory whatever its size.
+  void* allocate_large(std::size_t bytes) {
+    const std::scoped_lock lock(guard_);
+    smallest_ = std::min(smallest_.load(), bytes);
+    if (bytes <= plain_bytes_ && plain_used_ <= plain_bytes_ - bytes) {
+      void* const start = ::operator new(bytes);
+      ask_for_large_pages(start, bytes);
+      plain_.emplace(start, bytes);
+      plain_used_ += bytes;
+      return start;
+    }
+    void* const start = map_file(bytes);
+    if (start == nullptr) return nullptr;
+    arrays_.emplace(start, bytes);
+    if (arrays_.size() == 1) begin();
+    return start;
+  }
+
+  // Returns false for an array that is not counted.
+  bool free_large(void* start) noexcept {
+    const std::scoped_lock lock(guard_);
+    if (const auto found = plain_.find(start); found != plain_.end()) {
+      plain_used_ -= found->second;
+      plain_.erase(found);
+      return false;
+    }
+    const auto found = arrays_.find(start);
+    if (found == arrays_.end()) return false;
+    ::munmap(start, found->second);
+    arrays_.erase(found);
+    if (arrays_.empty()) news_.notify_all();
+    return true;
+  }
+
   // If no thread can be started, the system itself releases pages, once it needs the memory.
   void begin() {
     if (trimmer_.joinable()) return news_.notify_all();
@@ -153,11 +176,13 @@ class Pages {
   }
 
   std::atomic<std::size_t> min_file_bytes_ = kUsual.min_file_bytes;
-  std::atomic<std::size_t> smallest_ = static_cast<std::size_t>(-1);  // the smallest array that was ever in a file
+  std::atomic<std::size_t> smallest_ = static_cast<std::size_t>(-1);  // the smallest large array that there was
   std::mutex guard_;                                                  // protects all members that follow
   std::condition_variable news_;
-  std::size_t resident_bytes_ = kUsual.resident_bytes;
-  std::map<void*, std::size_t> arrays_;
+  std::size_t resident_bytes_ = kUsual.resident_bytes, plain_bytes_ = kUsual.plain_bytes;
+  std::size_t plain_used_ = 0;           // size of all arrays of plain_
+  std::map<void*, std::size_t> plain_;   // large arrays in plain memory
+  std::map<void*, std::size_t> arrays_;  // arrays in files
   std::thread trimmer_;
   bool is_closed_ = false;
 };
@@ -171,16 +196,9 @@ Pages& pages() {
 
 PagedLimits set_paged_limits(const PagedLimits& limits) { return pages().set(limits); }
 
-void* allocate_paged(std::size_t bytes) {
-  if (void* const start = pages().allocate(bytes)) return start;
-  void* const start = ::operator new(bytes);
-  ask_for_large_pages(start, bytes);
-  return start;
-}
+void* allocate_paged(std::size_t bytes) { return pages().allocate(bytes); }
 
-void free_paged(void* start, std::size_t bytes) noexcept {
-  if (!pages().free(start, bytes)) ::operator delete(start);
-}
+void free_paged(void* start, std::size_t bytes) noexcept { pages().free(start, bytes); }
 
 std::size_t paged_arrays() { return pages().count(); }
 

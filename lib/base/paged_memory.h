@@ -3,18 +3,20 @@
 #include <cstddef>
 #include <vector>
 
-// Arrays as long as a toolpath, which need not stay in memory. An array above a certain size is a temporary file
-// without a name (in $TMPDIR, else /var/tmp), mapped into memory. The system writes unused pages to the file. Pages
-// beyond a limit are released, so that the memory of the process does not grow with the path.
+// Arrays as long as a toolpath, which need not stay in memory. While all of them together are small, they are in plain
+// memory. A further large array is a temporary file without a name (in $TMPDIR, else /var/tmp), mapped into memory. The
+// system writes unused pages to the file. Pages beyond a limit are released, so that the memory of the process does not
+// grow with the path.
 
 namespace gouge {
 
 struct PagedLimits {
   std::size_t min_file_bytes = 0;  ///< arrays below this size are in plain memory
   std::size_t resident_bytes = 0;  ///< approximate maximum size of file pages that the process holds at once
+  std::size_t plain_bytes = 0;     ///< maximum size of all larger arrays in plain memory together
 };
 
-/// Sets the limits for later allocations; initially they are 64 MB and 512 MB. Existing allocations stay where they
+/// Sets the limits for later allocations; initially they are 64 MB, 512 MB and 512 MB. Existing allocations stay where they
 /// are. Returns the previous limits.
 PagedLimits set_paged_limits(const PagedLimits& limits);
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -59,6 +60,20 @@ TEST(PagedMemory, StandsInAFileFromTheLimitOn) {
     EXPECT_EQ(paged_arrays(), 1U);
   }
   EXPECT_EQ(paged_arrays(), 0U);
+}
+
+TEST(PagedMemory, StaysInPlainMemoryWhileAllArraysTogetherAreSmall) {
+  const Limits limits({kMegabyte, kMegabyte, 4 * kMegabyte});
+  const PagedVector<char> plain(2 * kMegabyte);
+  auto freed = std::make_unique<PagedVector<char>>(2 * kMegabyte);
+  EXPECT_EQ(paged_arrays(), 0U);
+  const PagedVector<char> in_file(kMegabyte);
+  EXPECT_EQ(paged_arrays(), 1U);
+  freed.reset();
+  const PagedVector<char> plain_again(2 * kMegabyte);
+  EXPECT_EQ(paged_arrays(), 1U) << "the freed array makes room";
+  const PagedVector<char> larger(5 * kMegabyte);
+  EXPECT_EQ(paged_arrays(), 2U);
 }
 
 TEST(PagedMemory, KeepsWhatIsWrittenWhileItGrowsAndItsPagesAreLetGo) {
