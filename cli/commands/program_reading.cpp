@@ -111,7 +111,7 @@ std::optional<Diagnostic> ToolpathReader::set_machine(StatedMachine stated, cons
 }
 
 ReadOutcome ToolpathReader::read(const std::string& file) const {
-  Result<std::string> bytes = read_file(file, max_bytes_);
+  Result<PagedVector<char>> bytes = read_long_file(file, max_bytes_);
   if (!bytes) {
     ReadOutcome unreadable;
     unreadable.errors.push_back(bytes.error());
