@@ -4,6 +4,7 @@
 #include <ostream>
 #include <utility>
 
+#include "cli/commands/compare_batches.h"
 #include "cli/commands/compare_paths.h"
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
@@ -26,7 +27,8 @@ Result<StoredResult> load_result(const std::string& typed, const InputLimit& lim
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command
-      .add_option("OLD", arguments.before, "Result of the old run (the output of --json, or the folder of a report)")
+      .add_option("OLD", arguments.before,
+                  "Result of the old run: the output of --json, the folder of a report, or the folder of a batch")
       ->type_name("FILE")
       ->required();
   command.add_option("NEW", arguments.after, "Result of the new run")->type_name("FILE")->required();
@@ -50,8 +52,9 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   add_program_reading(command, arguments, MachineOption::possible);
   add_verbosity(command, arguments, "List the unchanged findings too (not with -q)");
   command.footer(
-      "Example:\n"
-      "  gougecheck compare monday/result.json today/result.json --html changes.html\n\n"
+      "Examples:\n"
+      "  gougecheck compare monday/result.json today/result.json --html changes.html\n"
+      "  gougecheck compare night1 night2      # two batches, job by job\n\n"
       "Two findings are the same if the same motions gouge, with the same tool and body. If the other path does "
       "not have these motions, the statement and the place on the part are compared, or the place alone. A "
       "finding is gone only if the new run checked the motions of this finding, or the moves that replace "
@@ -68,6 +71,11 @@ int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostre
   if (arguments.are_paths && !arguments.html_file.empty())
     return fail(err, {make_error("usage", "--html writes a comparison of results; --paths takes --json FILE")});
   if (arguments.are_paths) return run_compare_paths(arguments, *same_within, out, err);
+  const bool is_old_batch = is_batch_folder(arguments.before), is_new_batch = is_batch_folder(arguments.after);
+  if (is_old_batch && is_new_batch) return run_compare_batches(arguments, *same_within, out, err);
+  if (is_old_batch || is_new_batch)
+    return fail(err, {make_error("usage",
+                                 "one of OLD and NEW is the folder of a batch; expected two of them, or two results")});
   const OutputTable outputs = asked_for({{"--html", arguments.html_file}, {"--json", arguments.json_file}});
   const Result<bool> taken = is_stdout_taken(outputs);
   if (const auto status = refuse_outputs(

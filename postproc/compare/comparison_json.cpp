@@ -1,6 +1,5 @@
-#include <nlohmann/json.hpp>
-
 #include "lib/base/printable_text.h"
+#include "postproc/compare/comparison_object.h"
 #include "postproc/compare/write_comparison.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
@@ -50,7 +49,7 @@ Json findings_json(const StoredResult& result, const std::vector<std::size_t>& f
 
 }  // namespace
 
-std::string comparison_json(const Comparison& c) {
+Json comparison_object(const Comparison& c) {
   const LengthUnit unit = c.after->record.unit;
   Json counts = Json::object(), findings = Json::array();
   for (std::size_t k = 0; k < kChanges; ++k)
@@ -61,18 +60,19 @@ std::string comparison_json(const Comparison& c) {
                         {"before", findings_json(*c.before, one.before, unit)},
                         {"after", findings_json(*c.after, one.after, unit)}});
   }
-  const Json json = {{"format", "gougecheck-comparison"},
-                     {"format_version", 1},
-                     {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},
-                     {"exit_status", static_cast<int>(c.exit_status())},
-                     {"unit", unit_name(unit)},
-                     {"before", run_json(*c.before)},
-                     {"after", run_json(*c.after)},
-                     {"differences", c.differences},
-                     {"open_moves", c.open_moves},
-                     {"counts", std::move(counts)},
-                     {"findings", std::move(findings)}};
-  return json.dump(1) + "\n";
+  return {{"format", "gougecheck-comparison"},
+          {"format_version", 1},
+          {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},
+          {"exit_status", static_cast<int>(c.exit_status())},
+          {"unit", unit_name(unit)},
+          {"before", run_json(*c.before)},
+          {"after", run_json(*c.after)},
+          {"differences", c.differences},
+          {"open_moves", c.open_moves},
+          {"counts", std::move(counts)},
+          {"findings", std::move(findings)}};
 }
+
+std::string comparison_json(const Comparison& c) { return comparison_object(c).dump(1) + "\n"; }
 
 }  // namespace gouge

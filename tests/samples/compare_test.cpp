@@ -213,6 +213,41 @@ TEST_F(Compare, ReadingsOfAPathAreComparedAsJson) {
   EXPECT_EQ(shop_.read("a.apt"), feeds);
 }
 
+TEST_F(Compare, BatchesAreComparedJobByJob) {
+  shop_.write("part.stl", plate_stl());
+  const auto batch = [&](const char* folder, const std::vector<std::pair<std::string, std::string>>& paths) {
+    std::vector<std::string> words = {"batch", "--part", "part.stl", "-q", "-o", folder};
+    for (const auto& [name, text] : paths) {
+      shop_.write(name + ".apt", text);
+      words.push_back(name + ".apt");
+    }
+    (void)shop_.run(words);
+  };
+  const std::string deep = path_text(stations(kTwoDeep)), clean = path_text(stations());
+  batch("old", {{"fixed", deep}, {"same", clean}, {"left_out", clean}, {"broken", deep}});
+  batch("new", {{"fixed", clean}, {"same", clean}, {"added", deep}, {"broken", "no path"}});
+  const Outcome text = shop_.run({"compare", "old", "new"});
+  EXPECT_EQ(text.exit_status, 1) << "the added job gouges\n" << text.err;
+  for (const char* line :
+       {"job fixed: no worse: 0 new, 0 deeper, 0 not checked any more, 1 gone, 0 shallower, 0 same\n",
+        "job same: no worse: 0 new", "job added: the old batch has no such job, gouges\n",
+        "job broken: the new batch has no report of it (failed)\n", "job left_out: the new batch has no such job\n",
+        "old -> new\n5 jobs: 1 worse, 2 not fully checked, 2 no worse\n"})
+    EXPECT_NE(text.out.find(line), std::string::npos) << line << text.out;
+  EXPECT_EQ(shop_.run({"compare", "old", "new", "--json", "c.json"}).exit_status, 1);
+  const auto json = shop_.json("c.json");
+  EXPECT_EQ(json["format"], "gougecheck-batch-comparison");
+  EXPECT_EQ(json["jobs"][0]["comparison"]["counts"]["gone"], 1);
+  EXPECT_EQ(json["jobs"][4]["exit_status"], 4);
+  EXPECT_EQ(shop_.run({"compare", "new", "new"}).exit_status, 4) << "the broken job has no result";
+  const std::string kept = shop_.read("old/reports/fixed/result.json");
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"compare", "old", "new/reports/fixed"},
+                                                {"compare", "old", "new", "--html", "c.html"},
+                                                {"compare", "old", "new", "--json", "old/reports/fixed/result.json"}})
+    EXPECT_EQ(shop_.run(wrong).exit_status, 2) << wrong.back();
+  EXPECT_EQ(shop_.read("old/reports/fixed/result.json"), kept);
+}
+
 TEST_F(Compare, AResultThatIsNotAsItWasWrittenIsRefused) {
   shop_.check("a", path_text(stations(kTwoDeep)));
   const std::string whole = shop_.read("a.json");

@@ -1,0 +1,130 @@
+#include "cli/commands/compare_batches.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <vector>
+
+#include "cli/output/output_file.h"
+#include "cli/output/report_folder.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "postproc/compare/batch_comparison.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSummary = "summary.json";
+
+/// A job of the summary of a batch.
+struct ListedJob {
+  std::string name, verdict;
+  std::string result_file;  ///< empty: the job has no report
+};
+
+using ListedJobs = std::vector<ListedJob>;
+
+Result<ListedJobs> read_jobs(const std::string& folder, const InputLimit& limit) {
+  const std::string file = (fs::path(folder) / kSummary).string();
+  const Result<std::string> bytes = read_file(file, limit.max_bytes);
+  if (!bytes) return bytes.error();
+  ListedJobs jobs;
+  try {
+    const auto json = nlohmann::json::parse(*bytes);
+    if (json.at("format") != "gougecheck-batch") throw std::invalid_argument("another format");
+    for (const auto& job : json.at("jobs")) {
+      ListedJob listed{job.at("job"), job.at("verdict"), {}};
+      if (const auto& report = job.at("report"); !report.is_null())
+        listed.result_file = result_in((fs::path(folder) / report.get<std::string>()).parent_path().string());
+      jobs.push_back(std::move(listed));
+    }
+  } catch (const std::exception&) {
+    return make_error("result-format", "is no summary of a batch; expected the folder of batch -o", file);
+  }
+  return jobs;
+}
+
+const ListedJob* find_job(const ListedJobs& jobs, const std::string& name) {
+  const auto found = std::ranges::find(jobs, name, &ListedJob::name);
+  return found == jobs.end() ? nullptr : &*found;
+}
+
+/// Returns the result of a job; null if it has none.
+Result<std::unique_ptr<const StoredResult>> load(const ListedJob* job, const InputLimit& limit) {
+  if (job == nullptr || job->result_file.empty()) return std::unique_ptr<const StoredResult>();
+  const Result<std::string> bytes = read_file(job->result_file, limit.max_bytes);
+  if (!bytes) return bytes.error();
+  Result<StoredResult> result = read_result(job->result_file, *bytes);
+  if (!result) return result.error();
+  return std::make_unique<const StoredResult>(std::move(*result));
+}
+
+std::string why_not(const ListedJob* before, const ListedJob* after) {
+  if (after == nullptr) return "the new batch has no such job";
+  if (after->result_file.empty()) return "the new batch has no report of it (" + after->verdict + ")";
+  return before == nullptr ? "the old batch has no such job" : "the old batch has no report of it";
+}
+
+Result<ComparedJob> compare_job(const std::string& name, const ListedJobs& before, const ListedJobs& after,
+                                double same_within_mm, const InputLimit& limit) {
+  const ListedJob *const old_job = find_job(before, name), *const new_job = find_job(after, name);
+  ComparedJob job{name, {}, {}, {}, {}};
+  auto old_result = load(old_job, limit);
+  if (!old_result) return old_result.error();
+  auto new_result = load(new_job, limit);
+  if (!new_result) return new_result.error();
+  job.before = std::move(*old_result);
+  job.after = std::move(*new_result);
+  if (job.before && job.after) {
+    job.comparison = compare_results(*job.before, *job.after, {same_within_mm});
+  } else {
+    job.why_not = why_not(old_job, new_job);
+  }
+  return job;
+}
+
+}  // namespace
+
+bool is_batch_folder(const std::string& name) {
+  std::error_code ignored;
+  return fs::is_regular_file(fs::path(name) / kSummary, ignored);
+}
+
+int run_compare_batches(const CompareArguments& arguments, double same_within_mm, std::ostream& out,
+                        std::ostream& err) {
+  if (!arguments.html_file.empty())
+    return fail(err, {make_error("usage", "--html compares two results; two batches are compared with --json FILE")});
+  const OutputTable outputs = asked_for({{"--json", arguments.json_file}});
+  const Result<bool> taken = is_stdout_taken(outputs);
+  const Result<ListedJobs> before = read_jobs(arguments.before, arguments.input);
+  if (!before) return fail(err, {before.error()});
+  const Result<ListedJobs> after = read_jobs(arguments.after, arguments.input);
+  if (!after) return fail(err, {after.error()});
+  std::vector<std::string> names;
+  for (const ListedJob& job : *after) names.push_back(job.name);
+  for (const ListedJob& job : *before)
+    if (find_job(*after, job.name) == nullptr) names.push_back(job.name);
+  std::vector<InputOption> inputs;
+  for (const ListedJobs* jobs : {&*before, &*after})
+    for (const ListedJob& job : *jobs)
+      if (!job.result_file.empty()) inputs.push_back({"the result of job " + job.name, job.result_file});
+  if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
+  BatchComparison batches{arguments.before, arguments.after, {}};
+  for (const std::string& name : names) {
+    Result<ComparedJob> job = compare_job(name, *before, *after, same_within_mm, arguments.input);
+    if (!job) return fail(err, {job.error()});
+    batches.jobs.push_back(std::move(*job));
+  }
+  if (!arguments.json_file.empty()) {
+    if (const Outcome written = write_output(arguments.json_file, comparison_json(batches), out); !written)
+      return fail(err, {written.error()}, kExitInternal);
+  }
+  if (!arguments.is_quiet && !*taken) out << comparison_text(batches, arguments.is_verbose);
+  return batches.exit_status();
+}
+
+}  // namespace gouge

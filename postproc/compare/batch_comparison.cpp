@@ -1,0 +1,80 @@
+#include "postproc/compare/batch_comparison.h"
+
+#include <algorithm>
+
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+#include "postproc/compare/comparison_object.h"
+#include "postproc/compare/write_comparison.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+ExitCode status_of(const StoredResult& result) {
+  const std::string& verdict = result.record.verdict;
+  if (verdict == "gouges" || verdict == "material-left") return kExitGouges;
+  return verdict == "clean" || verdict == "accepted-gouges" ? kExitClean : kExitNotChecked;
+}
+
+std::string job_text(const ComparedJob& job, bool has_same) {
+  std::string text = printable("job " + job.name) + ": ";
+  if (!job.comparison) {
+    const std::string verdict = job.after ? ", " + job.after->record.verdict : std::string();
+    return text + printable(job.why_not + verdict) + "\n";
+  }
+  text += comparison_verdict(*job.comparison) + ": " + change_counts(*job.comparison) + "\n";
+  for (const ComparedFinding& one : job.comparison->findings) {
+    if (one.change == Change::same && !has_same) continue;
+    text += printable("  " + place_of(*job.comparison, one) + ": " + change_text(*job.comparison, one)) + "\n";
+  }
+  for (const std::string& note : comparison_notes(*job.comparison)) text += printable("  note: " + note) + "\n";
+  return text;
+}
+
+}  // namespace
+
+ExitCode ComparedJob::exit_status() const {
+  if (comparison) return comparison->exit_status();
+  return after ? status_of(*after) : kExitNotChecked;
+}
+
+ExitCode BatchComparison::exit_status() const {
+  const auto has = [&](ExitCode status) {
+    return std::ranges::any_of(jobs, [&](const ComparedJob& job) { return job.exit_status() == status; });
+  };
+  return has(kExitGouges) ? kExitGouges : has(kExitNotChecked) ? kExitNotChecked : kExitClean;
+}
+
+std::string comparison_text(const BatchComparison& batches, bool has_same) {
+  std::string text;
+  for (const ComparedJob& job : batches.jobs) text += job_text(job, has_same);
+  const auto count = [&](ExitCode status) {
+    return std::to_string(std::ranges::count(batches.jobs, status, &ComparedJob::exit_status));
+  };
+  return text + printable(batches.before + " -> " + batches.after) + "\n" + count_text(batches.jobs.size(), "job") +
+         ": " + count(kExitGouges) + " worse, " + count(kExitNotChecked) + " not fully checked, " + count(kExitClean) +
+         " no worse\n";
+}
+
+std::string comparison_json(const BatchComparison& batches) {
+  Json jobs = Json::array();
+  for (const ComparedJob& job : batches.jobs) {
+    jobs.push_back({{"job", valid_utf8(job.name)},
+                    {"exit_status", static_cast<int>(job.exit_status())},
+                    {"why_not", valid_utf8(job.why_not)},
+                    {"comparison", job.comparison ? comparison_object(*job.comparison) : Json(nullptr)}});
+  }
+  const Json json = {{"format", "gougecheck-batch-comparison"},
+                     {"format_version", 1},
+                     {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},
+                     {"exit_status", static_cast<int>(batches.exit_status())},
+                     {"before", valid_utf8(batches.before)},
+                     {"after", valid_utf8(batches.after)},
+                     {"jobs", std::move(jobs)}};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace gouge

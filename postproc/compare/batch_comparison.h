@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "postproc/compare/compare_results.h"
+
+namespace gouge {
+
+/// A job of two batches. Both results are needed for a comparison.
+struct ComparedJob {
+  std::string name;
+  std::unique_ptr<const StoredResult> before, after;  ///< null: the batch has no result of the job
+  std::optional<Comparison> comparison;
+  std::string why_not;  ///< why there is no comparison
+
+  /// That of the comparison. Without one it is that of the new result alone: 1 if it gouges, 0 if it is clean; 4 if it
+  /// is neither, or if there is none.
+  [[nodiscard]] ExitCode exit_status() const;
+};
+
+struct BatchComparison {
+  std::string before, after;  ///< folders of the batches
+  std::vector<ComparedJob> jobs;
+
+  /// That of the worst job, in the order 1, 4, 0.
+  [[nodiscard]] ExitCode exit_status() const;
+};
+
+/// Returns the findings of each job that differ, a line for each job, and a summary. Unchanged findings are listed only
+/// if `has_same`.
+[[nodiscard]] std::string comparison_text(const BatchComparison& batches, bool has_same);
+/// Returns the comparisons of all jobs as JSON: docs/formats/compare.md.
+[[nodiscard]] std::string comparison_json(const BatchComparison& batches);
+
+}  // namespace gouge
