@@ -48,7 +48,9 @@ View tool_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
   const double part_mm = set.scene.part_size_mm();
   const double times = event.event.body == Body::cutter ? 8 : 5.5;
   const double reach = event.has_witness ? times * tool_size_mm(set, event) : 1.2 * part_mm;
-  const double height_mm = std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
+  // A gouge may be deeper than the part is large.
+  const double height_mm =
+      std::max(std::min(reach, std::max(1.1 * part_mm, 1e-3)), std::min(8 * event.depth_mm, reach));
   View view = make_view(toward, event.pose.axis, width, height);
   view.mm_per_pixel = height_mm / height;
   // The view shows a little of the tool above the finding, and mostly the part around it.

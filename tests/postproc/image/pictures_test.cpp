@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/field/depth_field.h"
@@ -244,6 +245,15 @@ TEST(ReportPictures, SurviveWhatIsMissing) {
   EXPECT_EQ(names(*without_part), std::vector<std::string>{"depth_along_path.png"});
   small.path.moves.clear();
   small.result = CheckResult{};
+  EXPECT_TRUE(draw_report_pictures({small.model, small.input}));
+}
+
+TEST(ReportPictures, ShowAGougeThatIsDeeperThanThePartIsLarge) {
+  SmallScene small;
+  small.scene.parts = {box_mesh("block.stl", {19, 14, 9}, {21, 16, 11})};
+  small.check();
+  ASSERT_GT(small.result.worst_depth_mm, 1);
+  ASSERT_GT(8 * small.result.worst_depth_mm, 1.1 * std::sqrt(12.0)) << "the view is limited by the part's size";
   EXPECT_TRUE(draw_report_pictures({small.model, small.input}));
 }
 
