@@ -61,7 +61,9 @@ class StockLoader {
     return all;
   }
 
-  [[nodiscard]] Assumption fact() const { return assume_stock(description_, *stock_.setup, job_.toolpath.file); }
+  [[nodiscard]] Assumption fact() const {
+    return assume_stock(description_, *stock_.setup, job_.scene().parts, job_.toolpath.file);
+  }
 
   const JobArguments& arguments_;
   Job& job_;

@@ -45,7 +45,7 @@ class StockMaker {
                                      .options = options_of(stock_)};
     made_->setup->options.tube = understood_.tube;
     for (const EarlierProgram& program : stock_.before) add(program);
-    made_->facts.push_back(gouge::assume_stock(solid.description, *made_->setup, path_.file));
+    made_->facts.push_back(gouge::assume_stock(solid.description, *made_->setup, parts, path_.file));
     record();
     return made_;
   }

@@ -163,7 +163,27 @@ StockHistory::StockHistory(const Toolpath& path, const MotionLaw& law, const Sto
   programs_.emplace_back(path, law, stock.tools, stock.options, last(), stock.heads);
 }
 
-Assumption assume_stock(const std::string& description, const StockSetup& stock, const std::string& file) {
+namespace {
+
+// Returns by how much the farthest of some corners of the parts is outside the stock; a distance that is measured, not
+// proved.
+double part_outside_mm(std::span<const IndexedMesh> parts, const StockSolid& stock) {
+  constexpr std::size_t kMaxCorners = 2000;
+  std::size_t corners = 0;
+  for (const IndexedMesh& part : parts) corners += part.vertices.size();
+  const std::size_t step = std::max<std::size_t>(1, corners / kMaxCorners);
+  double farthest_mm = 0;
+  for (const IndexedMesh& part : parts)
+    for (std::size_t i = 0; i < part.vertices.size(); i += step)
+      farthest_mm = std::max(farthest_mm, stock.signed_distance(part.vertices[i]).mm);
+  return farthest_mm;
+}
+
+}  // namespace
+
+Assumption assume_stock(const std::string& description, const StockSetup& stock, std::span<const IndexedMesh> parts,
+                        const std::string& file) {
+  constexpr double kMaxOutside_mm = 1;  // more than the tessellations of a stock and its part differ
   std::string programs;
   for (const EarlierProgram& earlier : stock.before)
     programs += (programs.empty() ? "the moves of " : ", ") + earlier.path.file;
@@ -172,6 +192,12 @@ Assumption assume_stock(const std::string& description, const StockSetup& stock,
                   (programs.empty() ? "only the moves of this path" : programs + " and then those of this path") +
                   " remove material from it";
   fact.file = file;
+  if (const double outside_mm = part_outside_mm(parts, stock.solid); outside_mm > kMaxOutside_mm) {
+    fact.basis = Basis::contradicted;
+    fact.code = "stock-misplaced";
+    fact.evidence = "the part reaches " + fixed_text(outside_mm, 1) + " mm out of the stock";
+    fact.remedy = "check unit, place and file of the stock, or state that it is right with --assume stock";
+  }
   return fact;
 }
 

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,9 @@ class StockHistory {
 };
 
 /// Returns the fact that a verdict rests on this stock and on the programs that cut it. `file`: of the path.
-[[nodiscard]] Assumption assume_stock(const std::string& description, const StockSetup& stock, const std::string& file);
+/// The fact is contradicted if a part is not in the stock, from which it is cut.
+[[nodiscard]] Assumption assume_stock(const std::string& description, const StockSetup& stock,
+                                      std::span<const IndexedMesh> parts, const std::string& file);
 
 /// Checks a path against its remaining stock and enters the result into its verdicts. A clean move that meets stock
 /// becomes a gouge against the stock, and one for which that is open is not certified. The verdict of a move that gouges

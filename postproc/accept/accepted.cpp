@@ -217,6 +217,8 @@ class Accepter {
   [[nodiscard]] std::optional<std::string> why_impossible() const {
     if (finding_.state == MoveState::buried)
       return "the tool is buried: there is no depth that a later one could be compared with";
+    if (finding_.against == Against::stock)
+      return "the tool meets remaining stock, which depends on all moves before it";
     if (!finding_.tool_index || !result_.record.tools[*finding_.tool_index].identity)
       return "its tool is not defined, so that a later one could not be compared with it";
     for (const MoveRecord* move : result_.moves_of(finding_)) {

@@ -55,6 +55,7 @@ std::string stored_finding_text(const StoredResult& result, const EventRecord& f
   const LengthUnit unit = result.record.unit;
   std::string text =
       finding.state == MoveState::buried ? "buried, " : depth_text(worst.depth_mm.value_or(0), unit) + " ";
+  if (finding.against == Against::stock) text += "into stock, ";
   text += std::string(body_name(finding.body)) + " " + stored_tool_label(finding.tool);
   if (worst.witness) text += " at " + point_text(worst.witness->point_mm, unit);
   return text + ", move " + std::to_string(worst.move);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "tests/samples/box_stl.h"
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 #include "tests/samples/sealed_result.h"
@@ -83,6 +84,25 @@ TEST_F(StockSample, TheMaterialOfAFileIsChecked) {
   EXPECT_EQ(run_again({"--stock", "box=5"}).exit_status, 1);
   EXPECT_EQ(run_again({"--stock", "box=0.09"}).exit_status, 0);
   EXPECT_EQ(run_again({"--stock", "box=5", "--stock-tolerance", "6"}).exit_status, 0);
+}
+
+TEST_F(StockSample, AStockThatDoesNotHoldThePartProvesNothing) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(sample_.path + "/far.stl", box_stl({1000, 1000, 0}, {1010, 1010, 10}));
+  const Outcome far = run_again({"--stock", "far.stl"});
+  EXPECT_EQ(far.exit_status, 4) << far.out;
+  EXPECT_NE(far.out.find("stock (contradicted): the part reaches"), std::string::npos) << far.out;
+  EXPECT_EQ(run_again({"--stock", "far.stl", "--assume", "stock"}).exit_status, 0);
+}
+
+TEST_F(StockSample, FindingsInStockAreNotAccepted) {
+  ASSERT_EQ(run("holder_stock", {"--stock", "box", "--json", "result.json"}).exit_status, 1);
+  const Outcome listed = run_gougecheck(sample_.path, {"accept", "result.json"});
+  EXPECT_NE(listed.out.find(" into stock, "), std::string::npos) << listed.out;
+  const Outcome ran = run_gougecheck(
+      sample_.path, {"accept", "result.json", "--finding", "1", "--reason", "x", "--by", "y", "-o", "a.json"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.err.find("meets remaining stock"), std::string::npos) << ran.err;
 }
 
 TEST_F(StockSample, TheResultIsTheSameAtAnyNumberOfThreads) {
@@ -379,7 +399,7 @@ TEST_F(StockSample, OfStockThatIsCutAwayNoMeshIsWritten) {
       "facet normal -1 0 0\nouter loop\nvertex 30 9 -4\nvertex 30 9 -2\nvertex 30 11 -4\nendloop\nendfacet\n"
       "facet normal 1 1 1\nouter loop\nvertex 32 9 -4\nvertex 30 11 -4\nvertex 30 9 -2\nendloop\nendfacet\n"
       "endsolid t\n");
-  const Outcome ran = run_again({"--stock", "tiny.stl", "--write-stock", "left.stl", "-v"});
+  const Outcome ran = run_again({"--stock", "tiny.stl", "--assume", "stock", "--write-stock", "left.stl", "-v"});
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
   EXPECT_NE(ran.err.find("[stock-nothing-left]"), std::string::npos) << ran.err;
   EXPECT_NE(ran.out.find("nothing is left of the stock"), std::string::npos) << ran.out;
