@@ -125,7 +125,7 @@ Result<ReportParts> find_parts(const CheckArguments& arguments, const StickoutOp
 /// Makes the certificate of a result, with proofs about stock if the check has one.
 MadeCertificate prove(const JobArguments& arguments, const CheckResult& result, JobPipeline& run) {
   const Job& job = run.job();
-  const std::string digest = inputs_digest(job.inputs);
+  const std::string digest = inputs_digest(job.inputs, job, arguments);
   const ProgressCall progress = run.progress().call();
   if (run.loaded_stock() == nullptr) return make_certificate(claimed_scene(job), claims_of(result), digest, progress);
   const ClaimedStock stock = claimed_stock(job, arguments, *run.loaded_stock());

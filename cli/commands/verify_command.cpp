@@ -28,7 +28,10 @@ class Verifier {
  public:
   /// `stock`: null, if the check had none.
   Verifier(const Job& job, const LoadedStock* stock, const ClaimedResult& result, Progress& progress)
-      : result_(result), scene_(claimed_scene(job)), digest_(inputs_digest(result.inputs)), progress_(progress) {
+      : result_(result),
+        scene_(claimed_scene(job)),
+        digest_(inputs_digest(result.inputs, job, result.arguments)),
+        progress_(progress) {
     if (stock != nullptr) stock_ = claimed_stock(job, result.arguments, *stock);
     done_.has_heads = !scene_.heads.empty();
     done_.has_excess = result.has_excess;

@@ -2,6 +2,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
+#include "lib/base/units.h"
 
 namespace gouge {
 
@@ -157,10 +158,18 @@ StockDepths stock_depths_of(const CheckResult& result, const ClaimedStock& stock
   return depths;
 }
 
-std::string inputs_digest(const std::vector<InputFile>& inputs) {
+std::string inputs_digest(const std::vector<InputFile>& inputs, const Job& job, const JobArguments& arguments) {
   std::string all;
   for (const InputFile& input : inputs) all += input.role + " " + input.checksum + "\n";
-  return sha256_of(all);
+  const LengthUnit unit = job.stl_unit(arguments);
+  const RigidTransform& place = job.options.place;
+  const bool is_placed = !place.shift.isZero(0) || !place.rotation.isIdentity(0);
+  if (unit != LengthUnit::mm) all += "unit " + std::string(facts_of(unit).option) + "\n";
+  if (!is_placed) return sha256_of(all);
+  all += "place";
+  for (const double number : place.shift) all += " " + exact_text(number);
+  for (const double number : place.rotation.reshaped<Eigen::RowMajor>()) all += " " + exact_text(number);
+  return sha256_of(all + "\n");
 }
 
 Diagnostics describe_unproved(const Job& job, const MadeCertificate& certificate) {

@@ -26,9 +26,10 @@ namespace gouge {
 /// Returns the depths that no remaining stock exceeds. A clean move claims tolerance + resolution, a finding its upper bound.
 [[nodiscard]] StockDepths stock_depths_of(const CheckResult& result, const ClaimedStock& stock);
 
-/// Returns the SHA-256 of the roles and checksums of all inputs, in their order. A certificate holds for inputs with
-/// this digest.
-[[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs);
+/// Returns the SHA-256 of the roles and checksums of all inputs, in their order, and of the unit and place of the meshes.
+/// A certificate holds for inputs with this digest: docs/formats/certificate.md.
+[[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs, const Job& job,
+                                        const JobArguments& arguments);
 
 /// Returns the warnings about moves without a proof.
 [[nodiscard]] Diagnostics describe_unproved(const Job& job, const MadeCertificate& certificate);

@@ -74,6 +74,24 @@ TEST(VerifyCommand, FindsInputsBesideTheResultAndRefusesThoseThatChanged) {
   EXPECT_EQ(verify(sample).exit_status, 0);
 }
 
+TEST(VerifyCommand, RefusesTheCertificateOfAnotherPlaceOrUnit) {
+  const SampleFolder sample = checked_sample("pocket");
+  const auto check = [&](const std::vector<std::string>& more) {
+    (void)run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), more));
+  };
+  check({"--place", "0,0,5", "--json", "moved.json", "--certificate", "moved.gcp", "-q"});
+  check({"--stl-units", "inch", "--assume", "placement", "--certificate", "inch.gcp", "-q"});
+  const auto verify_by = [&](const std::string& certificate) {
+    return run_gougecheck(sample.path, {"verify", "result.json", "--certificate", certificate});
+  };
+  for (const char* other : {"moved.gcp", "inch.gcp"}) {
+    const Outcome ran = verify_by(other);
+    EXPECT_EQ(ran.exit_status, 3) << other << ran.out << ran.err;
+    EXPECT_EQ(ran.out.find("refuted"), std::string::npos) << ran.out;
+  }
+  EXPECT_NE(run_gougecheck(sample.path, {"verify", "moved.json", "--certificate", "moved.gcp"}).exit_status, 3);
+}
+
 // The library is changed by 0.01 mm and the result states that it was so: the proofs and witnesses must show.
 TEST(VerifyCommand, FindsAToolThatIsNotTheOneThatWasChecked) {
   const SampleFolder sample = checked_sample("pocket");
