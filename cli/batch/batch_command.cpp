@@ -11,6 +11,7 @@
 #include "cli/batch/batch_run.h"
 #include "cli/batch/batch_watch.h"
 #include "cli/batch/settled_files.h"
+#include "cli/batch/toolpath_files.h"
 #include "cli/output/report_folder.h"
 #include "cli/terminal/end_note.h"
 #include "cli/terminal/terminal.h"
@@ -379,7 +380,8 @@ int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& 
   if (arguments.watch.empty()) return Batch(arguments, out, err).run();
   // Each run takes results of unchanged jobs from the store, so that only new or changed toolpaths are checked.
   int status = kExitClean;
-  const Outcome watched = watch_toolpaths(arguments.watch, [&](const std::vector<std::string>& files) {
+  const bool are_programs = are_of_programs(arguments.words);
+  const Outcome watched = watch_toolpaths(arguments.watch, are_programs, [&](const std::vector<std::string>& files) {
     BatchArguments now = arguments;
     now.files = files;
     now.is_resumed = true;

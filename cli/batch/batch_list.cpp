@@ -153,9 +153,26 @@ class JobListReader {
     const std::vector<std::string> of_files = names_of_toolpaths(paths);
     for (std::size_t k = 0; k < paths.size(); ++k) {
       const std::string job_name = name.empty() ? of_files[k] : paths.size() == 1 ? name : name + " " + of_files[k];
-      add(job_name, command, words.words(), paths[k], has_report, pointer);
+      add(job_name, command, words.words(), paths[k], has_report, {pointer, fields});
     }
   }
+
+  /// A job in the list, and its options.
+  struct Place {
+    std::string pointer;
+    const Fields& fields;
+
+    /// Returns the place of the option that a message of the parser names, which may be in the defaults.
+    [[nodiscard]] const std::string& of(const std::string& message) const {
+      for (const auto& [key, field] : fields) {
+        const std::size_t at = message.find("--" + key);
+        const std::size_t end = at + 2 + key.size();
+        if (at != std::string::npos && (end == message.size() || (!is_letter(message[end]) && message[end] != '-')))
+          return field.pointer;
+      }
+      return pointer;
+    }
+  };
 
   // Returns whether the value can be the name of a file. The system reads a name only up to a null character, so such a
   // name would lead to another file than the one examined.
@@ -221,8 +238,9 @@ class JobListReader {
   }
 
   void add(const std::string& name, const std::string& command, const std::vector<std::string>& words,
-           const std::string& path, bool has_report, const std::string& pointer) {
+           const std::string& path, bool has_report, const Place& place) {
     if (error_) return;
+    const std::string& pointer = place.pointer;
     const std::size_t line = lines_->at(pointer);
     if (const auto why = why_no_name(name))
       return fail("the name of a job '" + printable(name) + "' " + *why +
@@ -234,7 +252,7 @@ class JobListReader {
                       "; expected a \"name\" for each, and a job of its own for each of several files called alike",
                   pointer);
     Result<BatchJob> job = make_job(name, command, words, path);
-    if (!job) return fail("job " + name + ": " + job.error().message, pointer, "jobs-option");
+    if (!job) return fail("job " + name + ": " + job.error().message, place.of(job.error().message), "jobs-option");
     job->line = line;
     job->has_report = has_report;
     place_outputs(*job, folder_);
@@ -352,7 +370,7 @@ Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& places, 
   if (!has_word("--part="))
     return make_error("usage",
                       "toolpaths need --part; a job list, which says it of each job, is one file called *.json");
-  const Result<std::vector<std::string>> toolpaths = expand_folders(places, folder.path, has_word("--control="));
+  const Result<std::vector<std::string>> toolpaths = expand_folders(places, folder.path, are_of_programs(words));
   if (!toolpaths) return toolpaths.error();
   const std::vector<std::string> names = names_of_toolpaths(*toolpaths);
   std::vector<BatchJob> jobs;

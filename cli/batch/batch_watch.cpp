@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "cli/batch/settled_files.h"
+#include "cli/batch/toolpath_files.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/tolerance.h"
 
@@ -60,7 +61,7 @@ bool has_pattern(const std::string& place) {
 
 }  // namespace
 
-Outcome watch_toolpaths(const std::string& place, const RunToolpaths& run) {
+Outcome watch_toolpaths(const std::string& place, bool are_programs, const RunToolpaths& run) {
   SettledFiles files(place);
   std::error_code ignored;
   const bool is_there = fs::is_directory(files.folder(), ignored) && (files.is_whole_folder() || has_pattern(place));
@@ -71,6 +72,8 @@ Outcome watch_toolpaths(const std::string& place, const RunToolpaths& run) {
   FileStamps last;
   while (true) {
     FileStamps settled = files.look(now_s());
+    if (files.is_whole_folder())
+      std::erase_if(settled, [&](const auto& file) { return !has_toolpath_ending(file.first, are_programs); });
     AfterRun next = AfterRun::go_on;
     if (settled != last && !settled.empty()) {
       std::vector<std::string> paths;

@@ -32,6 +32,19 @@ bool is_among(const std::string& ending, const std::string_view (&known)[count])
   return std::ranges::find(known, ending) != std::end(known);
 }
 
+}  // namespace
+
+bool are_of_programs(const std::vector<std::string>& words) {
+  return std::ranges::any_of(words, [](const std::string& word) { return word.starts_with("--control="); });
+}
+
+bool has_toolpath_ending(const std::string& file, bool are_programs) {
+  const std::string ending = ending_of(file);
+  return are_programs ? is_among(ending, kOfPrograms) : is_among(ending, kOfClData);
+}
+
+namespace {
+
 std::vector<std::string> toolpaths_in(const std::string& folder, const std::string& output, bool are_programs) {
   const std::string own = canonical_place(output);
   std::vector<std::string> files;
@@ -44,9 +57,7 @@ std::vector<std::string> toolpaths_in(const std::string& folder, const std::stri
       if (is_folder) at.disable_recursion_pending();
       continue;
     }
-    const std::string ending = ending_of(at->path());
-    const bool is_toolpath = are_programs ? is_among(ending, kOfPrograms) : is_among(ending, kOfClData);
-    if (is_toolpath && at->is_regular_file(ignored)) files.push_back(place);
+    if (has_toolpath_ending(place, are_programs) && at->is_regular_file(ignored)) files.push_back(place);
   }
   std::ranges::sort(files);
   return files;

@@ -7,6 +7,12 @@
 
 namespace gouge {
 
+/// Returns whether the options of a batch state a control, so that its toolpaths are programs of a machine.
+[[nodiscard]] bool are_of_programs(const std::vector<std::string>& words);
+
+/// Returns whether a file has an ending of toolpaths: of programs of a machine if `are_programs`, else of CL data.
+[[nodiscard]] bool has_toolpath_ending(const std::string& file, bool are_programs);
+
 /// Replaces each folder in `places` by the toolpaths in it and below it, sorted by their names. Toolpaths have a known
 /// ending: that of a program of a machine if `are_programs`, else that of CL data. Hidden files and folders, and the
 /// folder `output`, are passed over. Error (code usage): a folder has no toolpath.

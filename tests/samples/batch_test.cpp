@@ -273,7 +273,7 @@ TEST(Batch, WrongListsAreRefusedWithTheirLineBeforeAnythingBegins) {
       {"{\"jobs\": [\n{\"path\": \"a.apt\", \"part\": \"p.stl\",\n \"tolerence\": 1}]}",
        "wrong.json:3: error: job a.apt: \"tolerence\" is no option of check"},
       {"{\"jobs\": [\n{\"path\": \"a.apt\", \"part\": \"p.stl\",\n \"tolerance\": \"wide\"}]}",
-       "wrong.json:2: error: job a: --tolerance 'wide'"},
+       "wrong.json:3: error: job a: --tolerance 'wide'"},
       {"{\"jobs\": [\n{\"path\": \"a.apt\"}]}", "wrong.json:2: error: job a: gougecheck check needs --part"},
       {"{\"jobs\": [\n{\"part\": \"p.stl\"}]}", "wrong.json:2: error: a job has no \"path\""},
       {"{\"jobs\": [\n{\"path\": \"x*.apt\", \"part\": \"p.stl\"}]}", "wrong.json:2: error: no file is like"},
@@ -335,6 +335,18 @@ TEST(Batch, TakesAFileForItselfBeforeItTakesItForAPattern) {
              "{\"jobs\": [{\"path\": \"x[1].apt\", \"part\": \"thin_post/part.stl\", \"tools\": "
              "\"thin_post/tools.json\", \"report\": false}]}");
   EXPECT_EQ(run_batch(folder, {"one.json", "-o", "out"}).exit_status, 1);
+}
+
+TEST(Batch, AWrongValueIsReportedInItsLineAlsoInTheDefaults) {
+  const std::string folder = samples_with_list({"needles"});
+  const auto error_of = [&](const std::string& defaults, const std::string& own) {
+    write_text(folder + "/list.json", "{\"defaults\": {\n \"part\": \"needles/part.stl\"" + defaults +
+                                          "},\n\"jobs\": [\n{\"path\": \"needles/needles.apt\"" + own + "}]}\n");
+    return run_gougecheck(folder, {"batch", "list.json", "-o", "out"}).err;
+  };
+  EXPECT_EQ(error_of(",\n \"tolerance\": -1", "").find("list.json:3: error: job needles: --tolerance"), 0U)
+      << error_of(",\n \"tolerance\": -1", "");
+  EXPECT_EQ(error_of("", ",\n \"tolerance\": -1").find("list.json:5: error: job needles: --tolerance"), 0U);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(Batch, WatchesAFolderAndChecksWhatIsWrittenThere) {
   const std::string folder = samples_with_list({"needles", "thin_post"});
   const Outcome ran = run_script(
       folder,
-      "mkdir hot; cp needles/needles.apt hot/first.apt\n"
+      "mkdir hot; cp needles/needles.apt hot/first.apt; echo no toolpath > hot/readme.txt\n"
       "$GOUGECHECK batch --watch hot --part needles/part.stl --tools needles/tools.json -o out > log & watch=$!\n"
       "wait_for() { for i in $(seq 600); do [ \"$(grep -c \"$1\" $2 2>/dev/null)\" = $3 ] && return; sleep 0.1; done; "
       "echo no $1; }\n"
