@@ -171,18 +171,16 @@ void add_left_stock(const Toolpath& path, const CorrectionFacts& facts, Diagnost
 }
 
 /// Returns the error if the part lies elsewhere than the path, or is of another size. A correction that moves thousands
-/// of positions out of it is useless.
+/// of positions out of it is useless, and a file that the check of a wrong part left as it is looks corrected.
 std::optional<Diagnostic> find_misfit(const Toolpath& path, const CheckResult& result) {
   const auto refuse = [&](const std::string& why) {
     return make_error("path-misfit", why + "; nothing was written; --force corrects all the same", path.file);
   };
   const std::optional<std::string> misfit = describe_misfit(path, result.fit);
   if (misfit && is_beyond_correction(result.fit)) return refuse(*misfit);
-  const bool has_gouge = result.counts.gouge + result.counts.buried > 0;
   for (const Assumption& fact : result.assumptions) {
     const bool is_of_place = fact.subject == Subject::mesh_unit || fact.subject == Subject::placement;
-    if (has_gouge && is_of_place && fact.basis == Basis::contradicted)
-      return refuse(fact.evidence + "; " + fact.remedy);
+    if (is_of_place && fact.basis == Basis::contradicted) return refuse(fact.evidence + "; " + fact.remedy);
   }
   return std::nullopt;
 }

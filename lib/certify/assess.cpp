@@ -59,6 +59,11 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   if (auto misplaced = find_misplacement(path, setup, result)) {
     fact.basis = Basis::contradicted;
     fact.evidence = std::move(*misplaced);
+    // A unit that the user states is not doubted, but it may be the mistake.
+    const auto size = setup.basis.mesh_unit
+                          ? find_other_size(path, *setup.scene.scene, result.verdicts, *setup.basis.mesh_unit)
+                          : std::nullopt;
+    if (size) fact.evidence += "; " + *size;
   } else if (auto misfit = describe_misfit(path, result.fit)) {
     fact.basis = Basis::contradicted;
     fact.code = "path-misfit";

@@ -81,6 +81,19 @@ TEST(Misfit, APartInAnotherUnitIsRefusedAndForced) {
   EXPECT_TRUE(std::filesystem::exists(folder + "/out.apt"));
 }
 
+TEST(Misfit, APartAwayFromThePathIsRefusedAlsoWithoutAGouge) {
+  const SampleFolder sample = open_sample("freeform");
+  const std::vector<std::string> correct =
+      sample.arguments("correct", sample.toolpath(), {"-o", "out.apt", "--place", "0,0,-30"});
+  const Outcome refused = run_gougecheck(sample.path, correct);
+  EXPECT_EQ(refused.exit_status, 1) << refused.out;
+  EXPECT_TRUE(says(refused.err, "[path-misfit]")) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(sample.path + "/out.apt"));
+  std::vector<std::string> assumed = correct;
+  assumed.insert(assumed.end(), {"--assume", "placement"});
+  EXPECT_EQ(run_gougecheck(sample.path, assumed).exit_status, 0);
+}
+
 TEST(Misfit, ARealFiveAxisPathWithOneSignWrong) {
   const std::string data = source_folder() + "/../shared/data/";
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
