@@ -76,13 +76,24 @@ class Nearest {
   Distance find(const Pose& pose) {
     best_ = {};
     const std::size_t ahead = std::min(feeds_.size(), last_ + kAhead);
-    const std::size_t begin = last_;
+    const std::size_t begin = begin_ = last_;
     if (look_at(pose, begin, ahead)) return best_;
     if (look_at(pose, ahead, feeds_.size())) return best_;
     look_at(pose, 0, begin);
     return best_;
   }
   [[nodiscard]] std::size_t move() const { return feeds_[last_].move; }
+  /// Returns whether a motion that is as near as the nearest one fulfils a condition. Where a path passes a place more
+  /// than once, several motions do. It looks at the motions that find() looks at first.
+  template <class Condition>
+  [[nodiscard]] bool has_alike(const Pose& pose, Condition fulfils) const {
+    const std::size_t end = std::min(feeds_.size(), begin_ + kAhead);
+    for (std::size_t i = begin_; i < end; ++i) {
+      if (tip_bound_mm(pose, feeds_[i]) >= kAlike_mm || !fulfils(feeds_[i].move)) continue;
+      if (distance_from(pose, feeds_[i]).sum(height_mm_) < std::max(kAlike_mm, best_.sum(height_mm_))) return true;
+    }
+    return false;
+  }
 
  private:
   /// Returns whether a feed is alike.
@@ -101,7 +112,7 @@ class Nearest {
   const std::vector<FeedChord>& feeds_;
   double height_mm_;
   Distance best_;
-  std::size_t last_ = 0;
+  std::size_t last_ = 0, begin_ = 0;
 };
 
 bool has_other_feed(const Move& move, const Move& other) {
@@ -131,7 +142,8 @@ std::optional<PathDifference> measure_difference(const Toolpath& path, const Too
       difference.axis_move = i;
       difference.axis_other = nearest.move();
     }
-    if (!has_other_feed(path.moves[i], other.moves[nearest.move()])) continue;
+    const auto is_same_feed = [&](std::size_t move) { return !has_other_feed(path.moves[i], other.moves[move]); };
+    if (is_same_feed(nearest.move()) || nearest.has_alike(path.moves[i].end, is_same_feed)) continue;
     if (difference.other_feeds++ > 0) continue;
     difference.feed_move = i;
     difference.feed_other = nearest.move();

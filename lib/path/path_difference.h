@@ -14,7 +14,8 @@ struct PathDifference {
   double axis_rad = 0;        ///< largest angle between the axes there
   /// The position of the largest value, and the nearest motion; kNone: there is no position.
   std::size_t tip_move = kNone, tip_other = kNone, axis_move = kNone, axis_other = kNone;
-  /// Positions at which both motions have a feed rate in the same unit, and they differ by more than kSameFeed.
+  /// Positions at which the motions of both paths have feed rates in the same unit, and they differ by more than
+  /// kSameFeed. Where the other path passes a place more than once, one motion with the same feed rate is enough.
   std::size_t other_feeds = 0;
   std::size_t feed_move = kNone, feed_other = kNone;  ///< the first of them, and the nearest motion
 

@@ -62,5 +62,18 @@ TEST(PathDifference, CountsFeedRatesThatDifferByMoreThanTheirRounding) {
   EXPECT_EQ(difference->feed_other, 2U);
 }
 
+TEST(PathDifference, FindsNoOtherFeedInItsOwnCopy) {
+  Toolpath path = paths::through({{{0, 0, 0}, Vec3::UnitZ()},
+                                  {{10, 0, 0}, Vec3::UnitZ()},
+                                  {{20, 0, 0}, Vec3::UnitZ()},
+                                  {{10, 0, 0}, Vec3::UnitZ()},
+                                  {{0, 0, 0}, Vec3::UnitZ()}});
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    path.moves[i].kind = MoveKind::feed;
+    path.moves[i].set_feed({100.0 * static_cast<double>(i + 1), FeedUnit::per_minute});
+  }
+  EXPECT_EQ(measure_difference(path, path, kHeight_mm)->other_feeds, 0U);
+}
+
 }  // namespace
 }  // namespace gouge
