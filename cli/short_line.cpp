@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "cli/options/help_text.h"
+#include "lib/base/file_kind.h"
 #include "lib/base/files.h"
 #include "lib/base/input_file.h"
 #include "lib/mesh/read_stl.h"
+#include "postproc/cldata/reading/foreign_file.h"
+#include "postproc/formats/toolpath_format.h"
 #include "postproc/report/report_model.h"
 #include "toolmodels/import/read_any_tools.h"
 
@@ -24,7 +28,8 @@ bool is_file_name(const std::string& word) {
   return !word.starts_with('-') && (word.find_first_of("./") != std::string::npos || fs::exists(word, ignored));
 }
 
-enum class Role { path, part, tools };
+/// Unknown: perhaps the toolpath of a dialect without marks.
+enum class Role { path, part, tools, unknown };
 
 Result<std::string> read_beginning(const std::string& file) {
   constexpr std::size_t kBeginning = 65536;
@@ -63,11 +68,14 @@ Result<Role> role_of(const std::string& file) {
   if (beginning->empty())
     return make_error("usage", "'" + file + "' is empty; expected a toolpath, an STL or a tool library");
   if (looks_like_stl(*beginning, fs::file_size(file, ignored)) || has_ending(file, ".stl")) return Role::part;
-  return is_tool_library(file) ? Role::tools : Role::path;
+  if (is_tool_library(file)) return Role::tools;
+  if (!recognise_dialect(*beginning).is_fallback || looks_like_cl_data(*beginning)) return Role::path;
+  const std::optional<std::string> format = describe_foreign(file, *beginning);
+  return format ? Result<Role>(make_error("path-not-cl-data", *format, file)) : Role::unknown;
 }
 
 struct Files {
-  std::vector<std::string> paths, parts, libraries;
+  std::vector<std::string> paths, parts, libraries, unknown;
 };
 
 Diagnostic wrong_files(const std::string& message) {
@@ -75,6 +83,9 @@ Diagnostic wrong_files(const std::string& message) {
 }
 
 std::optional<Diagnostic> find_wrong(const Files& files) {
+  if (!files.unknown.empty())
+    return wrong_files(listed(files.unknown, " and ") + (files.unknown.size() == 1 ? " is" : " are") +
+                       " neither a toolpath nor an STL file nor a tool library that is recognised");
   if (files.paths.empty()) return wrong_files("none of the files is a toolpath");
   if (files.paths.size() > 1)
     return make_error("usage",
@@ -103,8 +114,14 @@ Result<std::vector<std::string>> expand_short_line(const std::vector<std::string
   for (auto word = words.begin() + 1; word != option; ++word) {
     const Result<Role> role = role_of(*word);
     if (!role) return role.error();
-    (*role == Role::part ? files.parts : *role == Role::tools ? files.libraries : files.paths).push_back(*word);
+    (*role == Role::part      ? files.parts
+     : *role == Role::tools   ? files.libraries
+     : *role == Role::unknown ? files.unknown
+                              : files.paths)
+        .push_back(*word);
   }
+  // The only candidate is read as a toolpath, with the messages of its reader.
+  if (files.paths.empty() && files.unknown.size() == 1) files.paths = std::exchange(files.unknown, {});
   if (const auto wrong = find_wrong(files)) return *wrong;
   const std::string& path = files.paths.front();
   std::vector<std::string> made = {words.front(), "check", path};

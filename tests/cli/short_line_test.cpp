@@ -86,6 +86,10 @@ TEST_F(ShortLine, NamesFilesThatDoNotFit) {
   EXPECT_NE(error({path, part, tools, add("b.json", R"({"units":"mm","tools":[]})")}).find("are tool libraries"),
             std::string::npos);
   EXPECT_NE(error({folder_, part}).find("is a folder"), std::string::npos);
+  const std::string step = add("part.step", "ISO-10303-21;\nHEADER;\n"), notes = add("notes.txt", "cut it slowly\n");
+  EXPECT_NE(error({path, step}).find("is a STEP file"), std::string::npos) << error({path, step});
+  EXPECT_NE(error({path, part, notes}).find("notes.txt is neither a toolpath nor an STL file"), std::string::npos);
+  EXPECT_EQ(expanded({notes, part})[1], "check") << "its reader says what is wrong";
   EXPECT_NE(error({path, part, add("empty.json", "")}).find("empty.json' is empty; expected"), std::string::npos);
 }
 
