@@ -4,6 +4,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/json/json_file.h"
 #include "toolmodels/cutter_fields.h"
@@ -74,11 +75,20 @@ class Reader {
     return false;
   }
 
+  // Names the keys that an object has: one of them may be mistyped.
+  static std::string keys_text(const Json& object) {
+    constexpr std::size_t kMaxKeys = 12;
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items())
+      if (keys.size() < kMaxKeys) keys.push_back("\"" + key + "\"");
+    return keys.empty() ? std::string() : ", and has " + listed(keys);
+  }
+
   double number(const Json& object, const char* key, const std::string& pointer, const std::string& who,
                 std::optional<double> otherwise = std::nullopt) {
     const auto found = object.find(key);
     if (found == object.end()) {
-      if (!otherwise) fail("library-field", who + " has no \"" + key + "\"; it needs one", pointer);
+      if (!otherwise) fail("library-field", who + " has no \"" + key + "\"; it needs one" + keys_text(object), pointer);
       return otherwise.value_or(0);
     }
     if (!found->is_number()) {

@@ -232,7 +232,10 @@ class JobLoader {
     if (!resolved) return errors_.push_back(resolved.error());
     const bool is_any_defined =
         std::ranges::any_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); });
-    if (!is_any_defined) return errors_.push_back(no_tool());
+    if (!is_any_defined) {
+      if (library) errors_.insert(errors_.end(), library->notes.begin(), library->notes.end());
+      return errors_.push_back(no_tool());
+    }
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
     job_.basis.inputs = std::move(resolved->assumptions);
@@ -282,10 +285,18 @@ class JobLoader {
   [[nodiscard]] Diagnostic no_tool() const {
     const std::size_t line =
         job_.toolpath.tools.empty() ? std::size_t{job_.toolpath.moves.front().line} : job_.toolpath.tools.front().line;
+    std::vector<std::string> names;
+    for (std::size_t tool = 0; tool < job_.toolpath.tools.size(); ++tool)
+      names.push_back(tool_label(job_.toolpath, tool));
+    const std::string& library = arguments_.tools_file;
+    const bool is_program = job_.toolpath.dialect == gcode_dialect().id;
     return make_error(
         "no-tool",
-        "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in the file, or a "
-        "library that has the tool: --tools LIB.json, with --tool NAME where the file names none",
+        "no tool of the toolpath is defined" + (names.empty() ? "" : " (" + listed(names) + ")") +
+            ", so nothing can be checked; expected " + (is_program ? "" : "CUTTER or TLDATA in the file, or ") +
+            (library.empty() ? "a library that has the tool: --tools LIB.json, with --tool NAME where the "
+                               "file names none"
+                             : "the tool in " + library + ", or --tool NUMBER=NAME with one of its tools"),
         arguments_.path, line);
   }
 

@@ -98,8 +98,9 @@ TEST(ToolLibrary, UnknownKeysAreReportedWithTheirLine) {
 }
 
 TEST(ToolLibrary, MistakesNameLineToolAndField) {
-  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":6}")),
-            "lib.json:4: error: tool T3 \"x\": cutter has no \"length\"; it needs one [library-field]");
+  EXPECT_EQ(
+      error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":6}")),
+      "lib.json:4: error: tool T3 \"x\": cutter has no \"length\"; it needs one, and has \"diameter\", \"shape\" [library-field]");
   EXPECT_EQ(error_of(with_cutter("{\"shape\":\"flat\",\n\"diameter\":\"6 mm\",\"length\":20}")),
             "lib.json:5: error: tool T3 \"x\": cutter: \"diameter\" is a text; expected a number [library-field]");
   EXPECT_EQ(error_of(with_cutter("{\"shape\":\"gimlet\"}")),

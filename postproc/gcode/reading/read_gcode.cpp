@@ -166,11 +166,17 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   if (facts.error) return {std::nullopt, {*facts.error}};
   if (!has_checked_move(path)) {
     std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
+    if (path.moves.empty() && !motion.is_rest_unknown()) {
+      note_blocks_not_run(motion.has_run(), path);
+      reason = path.notes.empty() ? ": no block moves an axis" : ": " + path.notes.back().message;
+    }
     if (motion.is_rest_unknown())
       reason += "; correct the program, or state a word that neither moves nor changes anything with --harmless-word";
     return {std::nullopt,
             {make_error("path-no-motion", "holds no motion that can be checked" + reason, file_name,
-                        path.moves.empty() ? std::size_t{0} : std::size_t{path.moves.front().line})}};
+                        !path.moves.empty()   ? std::size_t{path.moves.front().line}
+                        : !path.notes.empty() ? path.notes.back().line
+                                              : std::size_t{0})}};
   }
   if (!motion.is_rest_unknown()) note_blocks_not_run(motion.has_run(), path);
   const bool is_in_part = options.setup.zero && options.setup.offsets.contains(motion.part_offset());
