@@ -290,14 +290,14 @@ class JobLoader {
       names.push_back(tool_label(job_.toolpath, tool));
     const std::string& library = arguments_.tools_file;
     const bool is_program = job_.toolpath.dialect == gcode_dialect().id;
-    return make_error(
-        "no-tool",
-        "no tool of the toolpath is defined" + (names.empty() ? "" : " (" + listed(names) + ")") +
-            ", so nothing can be checked; expected " + (is_program ? "" : "CUTTER or TLDATA in the file, or ") +
-            (library.empty() ? "a library that has the tool: --tools LIB.json, with --tool NAME where the "
-                               "file names none"
-                             : "the tool in " + library + ", or --tool NUMBER=NAME with one of its tools"),
-        arguments_.path, line);
+    return make_error("no-tool",
+                      "no tool of the toolpath is defined" + (names.empty() ? "" : " (" + listed(names) + ")") +
+                          ", so nothing can be checked; expected " +
+                          (is_program ? "" : "CUTTER or TLDATA in the file, or ") +
+                          (library.empty() ? "a library that has the tool: --tools LIB.json"
+                                           : "the tool in " + library + ", or --tool NUMBER=NAME") +
+                          ", with --tool NAME where the file names none",
+                      arguments_.path, line);
   }
 
   void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }

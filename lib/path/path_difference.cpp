@@ -12,7 +12,8 @@ namespace gouge {
 namespace {
 
 constexpr double kChord_mm = 1e-4;   // of arcs and splines
-constexpr double kAlike_mm = 1e-3;   // a motion this near ends the search
+constexpr double kEqual_mm = 1e-9;   // a motion this near ends the search
+constexpr double kAlike_mm = 1e-3;   // a motion this near among those that follow the last one ends it too
 constexpr std::size_t kAhead = 200;  // motions after the last one in which the next is looked for first
 
 /// A straight feed, or a chord of one.
@@ -77,9 +78,9 @@ class Nearest {
     best_ = {};
     const std::size_t ahead = std::min(feeds_.size(), last_ + kAhead);
     const std::size_t begin = begin_ = last_;
-    if (look_at(pose, begin, ahead)) return best_;
-    if (look_at(pose, ahead, feeds_.size())) return best_;
-    look_at(pose, 0, begin);
+    look_at(pose, begin, ahead, kEqual_mm);
+    if (best_.sum(height_mm_) < kAlike_mm || look_at(pose, ahead, feeds_.size(), kAlike_mm)) return best_;
+    look_at(pose, 0, begin, kAlike_mm);
     return best_;
   }
   [[nodiscard]] std::size_t move() const { return feeds_[last_].move; }
@@ -96,15 +97,15 @@ class Nearest {
   }
 
  private:
-  /// Returns whether a feed is alike.
-  bool look_at(const Pose& pose, std::size_t begin, std::size_t end) {
+  /// Looks for a nearer feed until one is nearer than `enough_mm`. Returns whether it found one.
+  bool look_at(const Pose& pose, std::size_t begin, std::size_t end, double enough_mm) {
     for (std::size_t i = begin; i < end; ++i) {
       if (tip_bound_mm(pose, feeds_[i]) >= best_.sum(height_mm_)) continue;
       const Distance found = distance_from(pose, feeds_[i]);
       if (!(found.sum(height_mm_) < best_.sum(height_mm_))) continue;
       best_ = found;
       last_ = i;
-      if (best_.sum(height_mm_) < kAlike_mm) return true;
+      if (best_.sum(height_mm_) < enough_mm) return true;
     }
     return false;
   }

@@ -59,19 +59,34 @@ Json difference_json(const PathDifference& of, const Toolpath& path, const Toolp
           {"other_feed_rates", std::move(feeds)}};
 }
 
+std::string verdict_text(const PathComparison& c) {
+  const std::string limit = display_text(c.same_within_mm, kDecimals) + " mm";
+  if (c.exit_status() == kExitClean) return "same: no tip or axis differs by more than " + limit + "\n";
+  if (c.exit_status() == kExitNotChecked) return "same as far as it was compared, within " + limit + "\n";
+  const bool is_of_tip = c.tip_mm() > c.same_within_mm;
+  return std::string("differs: ") +
+         (is_of_tip ? "a tip by " + display_text(c.tip_mm(), kDecimals) + " mm"
+                    : "an axis by " + display_text(c.axis_mm(), kDecimals) + " mm at " +
+                          display_text(PathComparison::kHeight_mm, 0) + " mm above the tip") +
+         ", more than " + limit + " (--same-within)\n";
+}
+
 }  // namespace
 
+double PathComparison::tip_mm() const { return std::max(forward.tip_mm, backward.tip_mm); }
+
+double PathComparison::axis_mm() const { return std::max(forward.axis_rad, backward.axis_rad) * kHeight_mm; }
+
 ExitCode PathComparison::exit_status() const {
-  const double tip_mm = std::max(forward.tip_mm, backward.tip_mm),
-               axis_mm = std::max(forward.axis_rad, backward.axis_rad) * kHeight_mm;
-  if (std::max(tip_mm, axis_mm) > same_within_mm) return kExitGouges;
+  if (std::max(tip_mm(), axis_mm()) > same_within_mm) return kExitGouges;
   return unchecked > 0 ? kExitNotChecked : kExitClean;
 }
 
 std::string comparison_text(const PathComparison& c) {
   return difference_text("OLD against NEW", c.forward, *c.before, *c.after) +
          difference_text("NEW against OLD", c.backward, *c.after, *c.before) +
-         (c.unchecked > 0 ? row("moves not checked, not compared", std::to_string(c.unchecked)) : std::string());
+         (c.unchecked > 0 ? row("moves not checked, not compared", std::to_string(c.unchecked)) : std::string()) +
+         verdict_text(c);
 }
 
 std::string comparison_json(const PathComparison& c) {

@@ -19,6 +19,9 @@ struct PathComparison {
   std::size_t unchecked = 0;         ///< moves of both paths that are not checked, and so not compared
   double same_within_mm = 0;
 
+  /// Return the largest distance of a tip, and that of a point at kHeight_mm by the turn of an axis.
+  [[nodiscard]] double tip_mm() const;
+  [[nodiscard]] double axis_mm() const;
   /// Gouges: a tip or axis is farther than `same_within_mm`. Not checked: no such difference, but unchecked moves.
   [[nodiscard]] ExitCode exit_status() const;
 };
