@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/tool/compiled_tool.h"
+#include "toolmodels/profile.h"
 
 namespace gouge {
 
