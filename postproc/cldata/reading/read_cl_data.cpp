@@ -53,23 +53,24 @@ std::size_t find_control(std::string_view bytes) {
 }
 
 // Returns whether the text has only printable characters of ASCII, tabs, and lines that end with LF or CR LF. Most files
-// do, and one pass finds out. It works in sections too.
+// do, and one pass finds out. It works in sections too, with single bytes, so that the compiler examines many at once.
 bool is_plain(std::string_view bytes) {
   constexpr std::size_t kStretch = 4096;
-  const auto is_odd = [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return static_cast<unsigned>(byte > 0x7e) |
-           static_cast<unsigned>(byte < 0x20 && c != '\n' && c != '\t' && c != '\r');
+  using Byte = unsigned char;
+  const auto is_between = [](Byte byte, Byte first, Byte last) {
+    return static_cast<Byte>(byte >= first && byte <= last);
   };
   for (std::size_t at = 0; at < bytes.size(); at += kStretch) {
     const std::string_view section = bytes.substr(at, kStretch);
-    unsigned has = 0, returns = 0;
+    Byte is_all_plain = 1, has_return = 0;
     for (const char c : section) {
-      has |= is_odd(c);
-      returns |= static_cast<unsigned>(c == '\r');
+      const auto byte = static_cast<Byte>(c);
+      const Byte is_return = is_between(byte, '\r', '\r');
+      is_all_plain &= static_cast<Byte>(is_between(byte, ' ', '~') | is_between(byte, '\t', '\n') | is_return);
+      has_return |= is_return;
     }
-    if (has != 0) return false;
-    for (std::size_t i = section.find('\r'); returns != 0 && i < section.size(); i = section.find('\r', i + 1)) {
+    if (is_all_plain == 0) return false;
+    for (std::size_t i = section.find('\r'); has_return != 0 && i < section.size(); i = section.find('\r', i + 1)) {
       if (at + i + 1 < bytes.size() && bytes[at + i + 1] != '\n') return false;
     }
   }
