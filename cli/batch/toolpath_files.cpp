@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "cli/output/overwriting.h"
@@ -45,23 +46,41 @@ bool has_toolpath_ending(const std::string& file, bool are_programs) {
 
 namespace {
 
-std::vector<std::string> toolpaths_in(const std::string& folder, const std::string& output, bool are_programs) {
-  const std::string own = canonical_place(output);
-  std::vector<std::string> files;
-  std::error_code failed;
-  for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-    std::error_code ignored;
-    const bool is_folder = at->is_directory(ignored);
-    const std::string place = at->path().string();
-    if (at->path().filename().string().starts_with('.') || (is_folder && canonical_place(place) == own)) {
-      if (is_folder) at.disable_recursion_pending();
-      continue;
+/// Finds the toolpaths in a folder and below it, also in the folders to which links lead.
+class FolderWalk {
+ public:
+  FolderWalk(const std::string& output, bool are_programs)
+      : own_(canonical_place(output)), are_programs_(are_programs) {}
+
+  /// Errors: folder-unreadable.
+  Outcome look_into(const std::string& folder) {
+    if (!seen_.insert(canonical_place(folder)).second) return Done{};
+    std::error_code failed;
+    for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+      if (at->path().filename().string().starts_with('.')) continue;
+      if (const Outcome taken = take(at->path().string()); !taken) return taken;
     }
-    if (has_toolpath_ending(place, are_programs) && at->is_regular_file(ignored)) files.push_back(place);
+    if (failed) return make_error("folder-unreadable", "the folder cannot be read: " + failed.message(), folder);
+    return Done{};
   }
-  std::ranges::sort(files);
-  return files;
-}
+
+  [[nodiscard]] std::vector<std::string> files() const { return {files_.begin(), files_.end()}; }
+
+ private:
+  // A link that leads nowhere is taken: its job fails, and so it is not overlooked.
+  Outcome take(const std::string& place) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(place, ignored);
+    if (fs::is_directory(status)) return canonical_place(place) == own_ ? Outcome(Done{}) : look_into(place);
+    const bool may_be_read = fs::is_regular_file(status) || !fs::exists(status);
+    if (may_be_read && has_toolpath_ending(place, are_programs_)) files_.insert(place);
+    return Done{};
+  }
+
+  std::string own_;
+  bool are_programs_;
+  std::set<std::string> seen_, files_;
+};
 
 template <std::size_t count>
 std::string listed_endings(const std::string_view (&known)[count]) {
@@ -106,7 +125,9 @@ Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& 
       all.push_back(place);
       continue;
     }
-    const std::vector<std::string> found = toolpaths_in(place, output, are_programs);
+    FolderWalk walk(output, are_programs);
+    if (const Outcome looked = walk.look_into(place); !looked) return looked.error();
+    const std::vector<std::string> found = walk.files();
     if (found.empty())
       return make_error(
           "usage",

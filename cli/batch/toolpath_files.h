@@ -15,7 +15,8 @@ namespace gouge {
 
 /// Replaces each folder in `places` by the toolpaths in it and below it, sorted by their names. Toolpaths have a known
 /// ending: that of a program of a machine if `are_programs`, else that of CL data. Hidden files and folders, and the
-/// folder `output`, are passed over. Error (code usage): a folder has no toolpath.
+/// folder `output`, are passed over. Links to folders are followed, and links that lead nowhere are toolpaths without a
+/// file. Errors: usage, if a folder has no toolpath; folder-unreadable.
 [[nodiscard]] Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& places,
                                                               const std::string& output, bool are_programs);
 

@@ -349,5 +349,20 @@ TEST(Batch, AWrongValueIsReportedInItsLineAlsoInTheDefaults) {
   EXPECT_EQ(error_of("", ",\n \"tolerance\": -1").find("list.json:5: error: job needles: --tolerance"), 0U);
 }
 
+TEST(Batch, LooksIntoLinkedFoldersAndOverlooksNoDeadLink) {
+  const std::string folder = samples_with_list({"needles"});
+  const Outcome ran = run_script(
+      folder,
+      "mkdir ops far; cp needles/needles.apt ops/a.apt; cp needles/needles.apt far/b.apt\n"
+      "ln -s ../far ops/far; ln -s . ops/back; ln -s gone.apt ops/c.apt\n"
+      "$GOUGECHECK batch ops --part needles/part.stl --tools needles/tools.json -o out --no-reports -q; echo status $?");
+  EXPECT_NE(ran.out.find("status 3\n"), std::string::npos) << ran.out << ran.err;
+  std::set<std::string> names;
+  const Json summary = summary_of(folder + "/out");
+  for (const Json& job : summary.at("jobs")) names.insert(job.at("job").get<std::string>());
+  EXPECT_EQ(names, (std::set<std::string>{"a", "b", "c"})) << "the file of c is missing, and that is said\n"
+                                                           << ran.out << ran.err;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples
