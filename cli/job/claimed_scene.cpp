@@ -1,5 +1,8 @@
 #include "cli/job/claimed_scene.h"
 
+#include <array>
+
+#include "cli/values/parse_stock.h"
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
 #include "lib/base/units.h"
@@ -161,15 +164,23 @@ StockDepths stock_depths_of(const CheckResult& result, const ClaimedStock& stock
 std::string inputs_digest(const std::vector<InputFile>& inputs, const Job& job, const JobArguments& arguments) {
   std::string all;
   for (const InputFile& input : inputs) all += input.role + " " + input.checksum + "\n";
-  const LengthUnit unit = job.stl_unit(arguments);
+  constexpr int kDecimals = 9;  // a result has lengths in the unit of its toolpath, so their last bits may differ
+  const CheckOptions& options = job.options.check;
   const RigidTransform& place = job.options.place;
-  const bool is_placed = !place.shift.isZero(0) || !place.rotation.isIdentity(0);
-  if (unit != LengthUnit::mm) all += "unit " + std::string(facts_of(unit).option) + "\n";
-  if (!is_placed) return sha256_of(all);
-  all += "place";
-  for (const double number : place.shift) all += " " + exact_text(number);
-  for (const double number : place.rotation.reshaped<Eigen::RowMajor>()) all += " " + exact_text(number);
-  return sha256_of(all + "\n");
+  const auto add = [&](const char* name, const auto& numbers) {
+    all += name;
+    for (const double number : numbers) all += " " + fixed_text(number, kDecimals);
+    all += "\n";
+  };
+  all += "unit " + std::string(facts_of(job.stl_unit(arguments)).option) + "\n";
+  add("shift", place.shift);
+  add("rotation", place.rotation.reshaped<Eigen::RowMajor>());
+  add("offsets", std::array{options.stock_to_leave_mm, options.shank_clearance_mm, options.holder_clearance_mm});
+  all += "rapids " + std::string(rapid_word(options.law.rapid())) + "\n";
+  const auto stock = arguments.stock.empty() ? std::nullopt : parse_stock_shape(arguments.stock);
+  if (stock && stock->kind != StockShape::Kind::file)
+    add(stock->kind == StockShape::Kind::box ? "stock box" : "stock part", std::array{stock->allowance_mm});
+  return sha256_of(all);
 }
 
 Diagnostics describe_unproved(const Job& job, const MadeCertificate& certificate) {

@@ -26,8 +26,8 @@ namespace gouge {
 /// Returns the depths that no remaining stock exceeds. A clean move claims tolerance + resolution, a finding its upper bound.
 [[nodiscard]] StockDepths stock_depths_of(const CheckResult& result, const ClaimedStock& stock);
 
-/// Returns the SHA-256 of the roles and checksums of all inputs, in their order, and of the unit and place of the meshes.
-/// A certificate holds for inputs with this digest: docs/formats/certificate.md.
+/// Returns the SHA-256 of the roles and checksums of all inputs, in their order, and of the set-up. A certificate holds
+/// for inputs with this digest: docs/formats/certificate.md.
 [[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs, const Job& job,
                                         const JobArguments& arguments);
 

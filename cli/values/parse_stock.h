@@ -10,7 +10,7 @@ namespace gouge {
 /// Returns whether the text of a stock is the name of a file, not "box", "box=LENGTH" or "part+LENGTH".
 [[nodiscard]] bool names_stock_file(const std::string& typed);
 
-/// Parses "box", "box=2", "part+3" or the name of a file. Nothing: the length is wrong.
+/// Parses "box", "box=2", "part+3" or the name of a file. Requires a text. Nothing: the length is wrong.
 [[nodiscard]] std::optional<StockShape> parse_stock_shape(const std::string& typed);
 
 /// The forms that parse_stock_shape accepts, for messages.

@@ -74,17 +74,19 @@ TEST(VerifyCommand, FindsInputsBesideTheResultAndRefusesThoseThatChanged) {
   EXPECT_EQ(verify(sample).exit_status, 0);
 }
 
-TEST(VerifyCommand, RefusesTheCertificateOfAnotherPlaceOrUnit) {
+TEST(VerifyCommand, RefusesTheCertificateOfAnotherSetUp) {
   const SampleFolder sample = checked_sample("pocket");
   const auto check = [&](const std::vector<std::string>& more) {
     (void)run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), more));
   };
   check({"--place", "0,0,5", "--json", "moved.json", "--certificate", "moved.gcp", "-q"});
   check({"--stl-units", "inch", "--assume", "placement", "--certificate", "inch.gcp", "-q"});
+  check({"--stock-to-leave", "0.05", "--certificate", "offset.gcp", "-q"});
+  check({"--rapid", "skip", "--certificate", "skip.gcp", "-q"});
   const auto verify_by = [&](const std::string& certificate) {
     return run_gougecheck(sample.path, {"verify", "result.json", "--certificate", certificate});
   };
-  for (const char* other : {"moved.gcp", "inch.gcp"}) {
+  for (const char* other : {"moved.gcp", "inch.gcp", "offset.gcp", "skip.gcp"}) {
     const Outcome ran = verify_by(other);
     EXPECT_EQ(ran.exit_status, 3) << other << ran.out << ran.err;
     EXPECT_EQ(ran.out.find("refuted"), std::string::npos) << ran.out;
