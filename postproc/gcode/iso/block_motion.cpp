@@ -177,7 +177,8 @@ BlockRunner::Target BlockRunner::target() {
     const char letter = "XYZ"[i];
     if (!words_.is_axis(letter)) continue;
     const double value = length(letter);
-    if (!is_absolute && !is_known(to.place.xyz[i])) motion_.note_unknown_step();
+    const bool is_step = !is_absolute && !(std::abs(value) <= 0);  // G91 G28 Z0 begins without a motion
+    if (is_step && !is_known(to.place.xyz[i])) motion_.note_unknown_step();
     to.place.xyz[i] = is_absolute ? value : to.place.xyz[i] + value;
     const std::string drift = round_step(static_cast<std::size_t>(i), letter, value, increment_mm());
     if (lost_.empty()) lost_ = drift;

@@ -114,6 +114,15 @@ void note_blocks_not_run(const std::vector<bool>& has_run, Toolpath& path) {
                                  path.file, first_line));
 }
 
+/// Finds a word that is not understood in the blocks at the start, which are no lines of the program.
+std::optional<Diagnostic> find_wrong_start(const Toolpath& path, const std::string& start) {
+  constexpr std::string_view kOfStart = "line 0: ";
+  const auto wrong = path.words_not_understood.lower_bound(std::string(kOfStart));
+  if (wrong == path.words_not_understood.end() || !wrong->first.starts_with(kOfStart)) return std::nullopt;
+  return make_error("usage",
+                    "--start, or start of the machine: '" + start + "': " + wrong->first.substr(kOfStart.size()));
+}
+
 }  // namespace
 
 std::span<const ProgramLanguage> all_languages() {
@@ -164,6 +173,7 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   const ProgramFacts facts = (*language)->run({options, path, motion, progress});
   motion.finish();
   if (facts.error) return {std::nullopt, {*facts.error}};
+  if (auto error = find_wrong_start(path, options.setup.start)) return {std::nullopt, {std::move(*error)}};
   if (!has_checked_move(path)) {
     std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
     if (path.moves.empty() && !motion.is_rest_unknown()) {

@@ -32,6 +32,22 @@ TEST(GcodeApproach, AHeightBeforeThePlaceIsStored) {
   for (const ApproachHeight& approach : path.approaches) EXPECT_NEAR(approach.height_mm, 5, 1e-9);
 }
 
+// The usual start of posts for Haas and Fanuc: the step of 0 is no motion, and home is a height.
+TEST(GcodeApproach, GoingHomeFromAnUnknownPlaceIsAnApproach) {
+  ProgramSetup setup;
+  setup.home_mm = Vec3::Zero();
+  setup.offsets["G54"].xyz_mm = Vec3(-100, -100, -300);
+  const std::string text = "G21 G17 G40 G49 G90 G54 G94 G98\nG91 G28 Z0.\nG90\nG0 X0. Y0.\nZ50.\nG1 Z5. F100.\nM30\n";
+  for (const char* control : {"haas", "linuxcnc"}) {
+    const ReadOutcome outcome = read_program(text, control, setup);
+    ASSERT_TRUE(outcome.toolpath) << control;
+    EXPECT_EQ(reasons_of(outcome).find("home position"), std::string::npos) << control << reasons_of(outcome);
+  }
+  std::string step = text;
+  step.replace(step.find("Z0."), 3, "Z5.");
+  EXPECT_NE(reasons_of(read_program(step, "haas", setup)), "") << "a step from an unknown place is a motion";
+}
+
 TEST(GcodeApproach, AHeightWithoutKnownJointsIsNotKnown) {
   ProgramSetup setup;
   setup.machine = test::trunnion();
