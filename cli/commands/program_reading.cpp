@@ -74,7 +74,7 @@ Result<ToolpathReader> ToolpathReader::make(const ProgramReading& arguments) {
   if (!tolerances) return tolerances.error();
   if (auto error = find_wrong_machine_fact(arguments.stated)) return *error;
   if (arguments.stated.machine.empty()) {
-    reader.set_control(*tolerances);
+    reader.set_control(arguments.stated, *tolerances);
     return reader;
   }
   if (auto error = reader.set_machine(arguments.stated, *tolerances)) return *error;
@@ -89,8 +89,10 @@ std::optional<Diagnostic> ToolpathReader::take_tool_length(const ProgramReading&
   return std::nullopt;
 }
 
-void ToolpathReader::set_control(const StatedTolerances& tolerances) {
+void ToolpathReader::set_control(const StatedMachine& stated, const StatedTolerances& tolerances) {
   ProgramSetup setup = options_.program ? *options_.program : ProgramSetup{};
+  setup.are_joint_rapids_straight = turn_law_called(stated.joint_rapid_law) == TurnLaw::joint;
+  setup.tool_length_mm = tool_length_mm_;
   setup.tip_tolerance_mm = stated_tolerance(tolerances.tip_mm.value_or(0));
   setup.axis_tolerance_rad = stated_tolerance(tolerances.axis_rad.value_or(0));
   options_.program = std::make_shared<const ProgramSetup>(std::move(setup));

@@ -34,8 +34,12 @@ void count_motion(const Toolpath& path, std::size_t index, PathInfo& info) {
   }
   const double length = move_length_mm(path, index);
   const bool is_curve = move.curve_kind != CurveKind::none;
-  if (move.kind == MoveKind::feed || is_curve) info.feed_length_mm += length;
-  if (move.kind == MoveKind::rapid) info.rapid_length_mm += length;
+  const bool is_cycle_rapid = move.kind == MoveKind::cycle && move.feed_unit == FeedUnit::rapid;
+  if (move.kind == MoveKind::rapid || is_cycle_rapid) {
+    info.rapid_length_mm += length;
+  } else if (move.kind == MoveKind::feed || move.kind == MoveKind::cycle || is_curve) {
+    info.feed_length_mm += length;
+  }
 }
 
 }  // namespace

@@ -139,5 +139,31 @@ TEST(PathPlot, WritesPicturesOfBothKinds) {
   }
 }
 
+// A program of three axes needs no machine: the law of its rapids is stated alone.
+TEST(PathCommand, TakesTheLawOfRapidsWithoutAMachine) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/a.h",
+             "BEGIN PGM A MM\nTOOL CALL 1 Z S5000\nL Z+50 R0 FMAX M3\nL X+0 Y+0 R0 FMAX\n"
+             "L X+10 Y+20 R0 FMAX\nL Z-1 R0 F100\nL X+20 R0 F200\nM30\nEND PGM A MM\n");
+  const auto info = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"path", "info", "a.h", "--control", "heidenhain"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_gougecheck(folder, words).out;
+  };
+  EXPECT_NE(info({}).find("expected --joint-rapid-law joint"), std::string::npos) << info({});
+  EXPECT_EQ(info({"--joint-rapid-law", "joint"}).find("expected --joint-rapid-law"), std::string::npos);
+}
+
+TEST(PathCommand, CountsTheWaysOfCycles) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/a.cls",
+             "TOOL PATH/D,TOOL,T\nTLDATA/DRILL,MILL,10.0,0.0,50.0,118.0,30.0\nMSYS/0,0,0,1,0,0,0,1,0\nLOAD/TOOL,1\n"
+             "RAPID\nGOTO/0,0,20,0,0,1\nCYCLE/DRILL,RAPTO,2.0,FEDTO,-5.0,RTRCTO,20.0,MMPM,100.0\n"
+             "GOTO/0,0,0\nGOTO/50,0,0\nCYCLE/OFF\nRAPID\nGOTO/50,0,20\nEND-OF-PATH\n");
+  const Outcome ran = run_gougecheck(folder, {"path", "info", "a.cls", "--path-units", "mm"});
+  EXPECT_NE(ran.out.find(" cycle"), std::string::npos) << ran.out << ran.err;
+  EXPECT_EQ(ran.out.find(" 0 mm feed"), std::string::npos) << ran.out << ran.err;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples
