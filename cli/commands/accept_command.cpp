@@ -85,6 +85,10 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
                       "accept needs --finding, the number of what is accepted, or --all; without any other option it "
                       "lists the findings of a result");
   }
+  std::vector<std::uint32_t> numbers = a.findings;
+  std::ranges::sort(numbers);
+  if (const auto twice = std::ranges::adjacent_find(numbers); twice != numbers.end())
+    return make_error("usage", "--finding names finding " + std::to_string(*twice) + " twice; expected each once");
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
   if (is_blank(a.by)) return make_error("usage", "accept needs --by, who accepts it");
   if (a.output.empty() || a.output == "-")

@@ -352,5 +352,12 @@ TEST_F(Accept, ABatchTakesABaselineAndSaysAccepted) {
       2);
 }
 
+TEST_F(Accept, ANumberGivenTwiceIsRefused) {
+  ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
+  const Outcome ran = accept("a.json", "1,1");
+  EXPECT_EQ(ran.exit_status, 2);
+  EXPECT_NE(ran.err.find("--finding names finding 1 twice"), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples
