@@ -25,9 +25,7 @@ const char* state_words(MoveState state) {
   return state == MoveState::buried ? " is inside a solid" : " is not proved free";
 }
 
-}  // namespace
-
-std::string stickout_need_text(const ReportModel& model, const StickoutFacts& tool, const StickoutNeed& need) {
+std::string need_text(const ReportModel& model, const StickoutFacts& tool, const StickoutNeed& need) {
   const LengthUnit unit = model.toolpath->unit;
   if (need.is_enough()) return "long enough";
   const std::string where =
@@ -42,6 +40,13 @@ std::string stickout_need_text(const ReportModel& model, const StickoutFacts& to
   if (tool.shank_end_mm && *need.stickout_mm > *tool.shank_end_mm + Tolerance::kWitness_mm)
     text += "; flutes and shank reach " + length_text(*tool.shank_end_mm, unit) + ", so it takes a longer tool";
   return text;
+}
+
+}  // namespace
+
+std::string stickout_need_text(const ReportModel& model, const StickoutFacts& tool, const StickoutNeed& need) {
+  return need_text(model, tool, need) +
+         (model.result->stock ? "; of parts and fixtures alone, without remaining stock" : "");
 }
 
 std::vector<OperationStickout> operations_in_need(const StickoutFacts& tool) {
