@@ -162,6 +162,9 @@ Result<ProjectFile> read_project_file(const std::string& name, const std::string
     const std::size_t line = json->lines.at("/" + given);
     const bool is_of_check = option_table("check").get_option_no_throw("--" + key) != nullptr;
     const bool is_known = is_of_check || option_table("correct").get_option_no_throw("--" + key) != nullptr;
+    if (key == kNoConfig)
+      return make_error("project-option", "\"" + key + "\" cannot stand in a project file; say it on the command line",
+                        name, line);
     if (!is_known) {
       const std::string nearest = nearest_name(key, keys);
       return make_error("project-option",

@@ -11,6 +11,7 @@
 namespace gouge {
 
 inline constexpr const char* kProjectFileName = "gougecheck.json";
+inline constexpr const char* kNoConfig = "no-config";  ///< option that reads no project file
 
 /// One option that a project file sets.
 struct ProjectOption {

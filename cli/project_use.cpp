@@ -8,8 +8,6 @@
 namespace gouge {
 namespace {
 
-constexpr const char* kNoConfig = "no-config";
-
 bool is_of_project(const std::vector<std::string>& words) {
   return words.size() > 1 && (words[1] == "check" || words[1] == "correct");
 }

@@ -30,8 +30,9 @@ class ToolImport : public testing::Test {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
 
-  int run(const std::string& corpus_file) {
-    arguments.file = source_folder() + "/tests/corpus/tool/" + corpus_file;
+  int run(const std::string& corpus_file) { return run_file(source_folder() + "/tests/corpus/tool/" + corpus_file); }
+  int run_file(const std::string& file) {
+    arguments.file = file;
     std::ostringstream out_stream, err_stream;
     const int status = run_tool_import(arguments, path("new.json"), out_stream, err_stream);
     out = out_stream.str();
@@ -96,6 +97,11 @@ TEST_F(ToolImport, WhatCannotBeReadIsRefusedAndNothingIsWritten) {
   EXPECT_NE(err.find("expected an NX tool_database.dat or holder_database.dat [import-format]"), std::string::npos)
       << err;
   EXPECT_FALSE(fs::exists(path("new.json")));
+  arguments.format.clear();
+  ASSERT_TRUE(
+      write_file(path("own.json"), R"({"units": "mm", "tools": [{"number": 1, "cutter": {"shape": "ball"}}]})"));
+  EXPECT_EQ(run_file(path("own.json")), kExitInput);
+  EXPECT_NE(err.find("is a tool library of gougecheck already; give it with --tools"), std::string::npos) << err;
 }
 
 }  // namespace

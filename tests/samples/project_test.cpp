@@ -121,6 +121,7 @@ TEST(Project, WrongKeysAndValuesAreReportedWithTheirLine) {
   EXPECT_TRUE(has(said(R"({"output": "x.apt"})"), refused));
   EXPECT_TRUE(has(said(R"({"threads": 1})"), "cannot stand in a project file"));
   EXPECT_TRUE(has(said(R"({"quiet": true})"), "cannot stand in a project file"));
+  EXPECT_TRUE(has(said(R"({"no-config": true})"), "\"no-config\" cannot stand in a project file"));
   const std::string value = said("{\"part\": \"part.stl\",\n\n\"tolerance\": \"-1\"}");
   EXPECT_TRUE(has(value, "gougecheck.json:3: error: --tolerance '-1': expected ")) << value;
   const std::string choice = said("{\"part\": \"part.stl\",\n\"rapid\": \"slow\"}");

@@ -38,12 +38,24 @@ std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   return json ? format_of(json->root) : std::nullopt;
 }
 
+namespace {
+
+bool is_own_library(const nlohmann::json& root) {
+  const auto is_tool = [](const nlohmann::json& one) { return one.is_object() && one.contains("cutter"); };
+  return root.is_object() && root.contains("tools") && root.at("tools").is_array() &&
+         std::ranges::any_of(root.at("tools"), is_tool);
+}
+
+}  // namespace
+
 Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes, std::optional<ImportFormat> format,
                                    const ImportOptions& options) {
   if (!format) format = recognise_format(bytes);
   if (!format && detail::is_json(bytes)) {
     const Result<JsonFile> json = parse_json(file, bytes, any_library());
     if (!json) return json.error();
+    if (is_own_library(json->root))
+      return make_error("import-format", "is a tool library of gougecheck already; give it with --tools", file);
   }
   if (!format)
     return make_error(

@@ -78,7 +78,7 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
     at = end == std::string_view::npos ? bytes.size() : end + 1;
     if (line.empty()) continue;
     if (is_first && starts_with_ignoring_case(line, "solid") && bytes.find("facet") != std::string_view::npos)
-      return "is an STL mesh; give it with --part and a toolpath in its place";
+      return "is an STL mesh; expected a toolpath (a check takes the mesh with --part)";
     const bool is_program =
         starts_with_ignoring_case(line, "BEGIN PGM") || line.find(" BEGIN PGM ") != std::string_view::npos;
     if (is_first && is_program) return kProgram;
@@ -122,7 +122,7 @@ std::string advice_for(const FileKind& kind) {
 }  // namespace
 
 std::optional<std::string> describe_foreign(std::string_view name, std::string_view bytes) {
-  if (is_binary_stl(bytes)) return "is an STL mesh; give it with --part and a toolpath in its place";
+  if (is_binary_stl(bytes)) return "is an STL mesh; expected a toolpath (a check takes the mesh with --part)";
   const std::optional<FileKind> kind = recognise_file(name, bytes);
   return kind ? "is " + std::string(kind->name) + advice_for(*kind) : describe_lines(bytes);
 }
