@@ -65,14 +65,17 @@ Result<std::unique_ptr<const StoredResult>> load(const ListedJob* job, const Inp
 
 std::string why_not(const ListedJob* before, const ListedJob* after) {
   if (after == nullptr) return "the new batch has no such job";
-  if (after->result_file.empty()) return "the new batch has no report of it (" + after->verdict + ")";
+  if (after->result_file.empty()) return "the new batch has no report of it";
   return before == nullptr ? "the old batch has no such job" : "the old batch has no report of it";
 }
 
 Result<ComparedJob> compare_job(const std::string& name, const ListedJobs& before, const ListedJobs& after,
                                 double same_within_mm, const InputLimit& limit) {
   const ListedJob *const old_job = find_job(before, name), *const new_job = find_job(after, name);
-  ComparedJob job{name, {}, {}, {}, {}};
+  ComparedJob job;
+  job.name = name;
+  if (old_job != nullptr) job.verdict_before = old_job->verdict;
+  if (new_job != nullptr) job.verdict_after = new_job->verdict;
   auto old_result = load(old_job, limit);
   if (!old_result) return old_result.error();
   auto new_result = load(new_job, limit);
@@ -88,11 +91,6 @@ Result<ComparedJob> compare_job(const std::string& name, const ListedJobs& befor
 }
 
 }  // namespace
-
-bool is_batch_folder(const std::string& name) {
-  std::error_code ignored;
-  return fs::is_regular_file(fs::path(name) / kSummary, ignored);
-}
 
 int run_compare_batches(const CompareArguments& arguments, double same_within_mm, std::ostream& out,
                         std::ostream& err) {

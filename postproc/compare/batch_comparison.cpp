@@ -13,17 +13,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-ExitCode status_of(const StoredResult& result) {
-  const std::string& verdict = result.record.verdict;
-  if (verdict == "gouges" || verdict == "material-left") return kExitGouges;
-  return verdict == "clean" || verdict == "accepted-gouges" ? kExitClean : kExitNotChecked;
-}
+bool has_gouge(const std::string& verdict) { return verdict == "gouges" || verdict == "material-left"; }
+
+bool is_clean(const std::string& verdict) { return verdict == "clean" || verdict == "accepted-gouges"; }
 
 std::string job_text(const ComparedJob& job, bool has_same) {
   std::string text = printable("job " + job.name) + ": ";
   if (!job.comparison) {
-    const std::string verdict = job.after ? ", " + job.after->record.verdict : std::string();
-    return text + printable(job.why_not + verdict) + "\n";
+    std::string verdicts = job.verdict_before;
+    if (!job.verdict_after.empty()) verdicts += (verdicts.empty() ? "" : ", then ") + job.verdict_after;
+    return text + printable(job.why_not + ": " + verdicts) + "\n";
   }
   text += comparison_verdict(*job.comparison) + ": " + change_counts(*job.comparison) + "\n";
   for (const ComparedFinding& one : job.comparison->findings) {
@@ -38,7 +37,8 @@ std::string job_text(const ComparedJob& job, bool has_same) {
 
 ExitCode ComparedJob::exit_status() const {
   if (comparison) return comparison->exit_status();
-  return after ? status_of(*after) : kExitNotChecked;
+  if (is_clean(verdict_after)) return kExitClean;
+  return has_gouge(verdict_after) && !has_gouge(verdict_before) ? kExitGouges : kExitNotChecked;
 }
 
 ExitCode BatchComparison::exit_status() const {
@@ -64,6 +64,8 @@ std::string comparison_json(const BatchComparison& batches) {
   for (const ComparedJob& job : batches.jobs) {
     jobs.push_back({{"job", valid_utf8(job.name)},
                     {"exit_status", static_cast<int>(job.exit_status())},
+                    {"verdict_before", job.verdict_before},
+                    {"verdict_after", job.verdict_after},
                     {"why_not", valid_utf8(job.why_not)},
                     {"comparison", job.comparison ? comparison_object(*job.comparison) : Json(nullptr)}});
   }

@@ -9,15 +9,16 @@
 
 namespace gouge {
 
-/// A job of two batches. Both results are needed for a comparison.
+/// A job of two batches. Both results are needed for a comparison of findings. Without them the verdicts are compared.
 struct ComparedJob {
   std::string name;
+  std::string verdict_before, verdict_after;          ///< by the summaries of the batches; empty: no such job
   std::unique_ptr<const StoredResult> before, after;  ///< null: the batch has no result of the job
   std::optional<Comparison> comparison;
   std::string why_not;  ///< why there is no comparison
 
-  /// That of the comparison. Without one it is that of the new result alone: 1 if it gouges, 0 if it is clean; 4 if it
-  /// is neither, or if there is none.
+  /// That of the comparison. Without one it is that of the verdicts: 0 if the new one is clean, 1 if it gouges and the old
+  /// one did not. Else it is 4, because nothing is known of the findings.
   [[nodiscard]] ExitCode exit_status() const;
 };
 

@@ -48,6 +48,8 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   if (a.limits != b.limits) all.push_back("the limits of single files are others");
   if (a.law != b.law) all.push_back("the machine, or its law of motion, is another one");
   if (a.rapid != b.rapid) all.push_back("rapids are checked as " + b.rapid + ", " + a.rapid + " before");
+  if (const std::size_t now = after.record.toolpath.moves, then = before.record.toolpath.moves; now != then)
+    all.push_back("the toolpath has " + count_text(now, "move") + ", " + std::to_string(then) + " before");
   if (before.record.program.version != after.record.program.version)
     all.push_back("gougecheck " + after.record.program.version + ", " + before.record.program.version + " before");
   return all;
