@@ -225,6 +225,7 @@ class Acceptor {
 Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments) {
   std::vector<StoredResult> results;
   for (const std::string& typed : arguments.results) {
+    if (const auto batch = refuse_batch_folder(typed)) return *batch;
     const std::string file = result_in(typed);
     const Result<std::string> bytes = read_file(file, arguments.input.max_bytes);
     if (!bytes) return bytes.error();

@@ -235,6 +235,7 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
 
 int run_verify(const VerifyArguments& typed, std::ostream& out, std::ostream& err) {
   VerifyArguments a = typed;
+  if (const auto batch = refuse_batch_folder(typed.result_file)) return fail(err, {*batch});
   a.result_file = result_in(typed.result_file);
   if (const auto error = find_contradiction(a)) return fail(err, {*error});
   const std::optional<double> seconds = a.seconds.empty() ? 0 : parse_number(a.seconds);

@@ -256,6 +256,17 @@ std::string result_in(const std::string& file) {
   return file + (file.ends_with('/') ? "" : "/") + "result.json";
 }
 
+bool is_batch_folder(const std::string& name) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(std::filesystem::path(name) / "summary.json", ignored);
+}
+
+std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
+  if (!is_batch_folder(name)) return std::nullopt;
+  return make_error("usage", "'" + name + "' is the folder of a batch; expected one result of it: " +
+                                 (std::filesystem::path(name) / "reports" / "JOB").string());
+}
+
 const std::vector<std::string>& names_of_batch() {
   static const std::vector<std::string> kNames = {"index.html", "summary.csv",    "summary.json",
                                                   "junit.xml",  "findings.sarif", kManifestName};

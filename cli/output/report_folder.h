@@ -53,6 +53,11 @@ struct ReportManifest {
 /// Returns the place of the result in the folder of a report, or `file` itself if it is no folder.
 [[nodiscard]] std::string result_in(const std::string& file);
 
+/// Returns whether a name is that of the folder of a batch.
+[[nodiscard]] bool is_batch_folder(const std::string& name);
+/// Returns the error for the folder of a batch where one result is expected; none for any other name. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> refuse_batch_folder(const std::string& name);
+
 /// Returns the names for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
 [[nodiscard]] const std::vector<std::string>& names_of_batch();
 
