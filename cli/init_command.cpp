@@ -149,6 +149,23 @@ Diagnostic describe_nothing(const Folder& folder) {
 
 }  // namespace
 
+namespace {
+
+// Names a file that is not there yet. It is no error: the project may be prepared before its files.
+void note_missing(const ProjectOption& option, std::ostream& out) {
+  constexpr std::string_view kFiles[] = {"part", "fixture", "head", "tools"};
+  if (std::ranges::find(kFiles, option.key) == std::end(kFiles)) return;
+  const std::string begin = "--" + option.key + "=";
+  for (const std::string& word : option.words) {
+    const std::string file = word.substr(word.starts_with(begin) ? begin.size() : 0);
+    std::error_code ignored;
+    const bool is_there = fs::exists(file, ignored) || fs::exists(file.substr(0, file.find(',')), ignored);
+    if (!is_there) out << "no such file yet: " << printable(file) << "\n";
+  }
+}
+
+}  // namespace
+
 int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
   const std::string name = kProjectFileName;
   std::error_code ignored;
@@ -170,6 +187,7 @@ int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostr
   out << "wrote " << name << "\n";
   for (const ProjectOption& option : project->options)
     out << "  " << padded(option.key, 12) << " " << printable(option.value()) << "\n";
+  for (const ProjectOption& option : project->options) note_missing(option, out);
   if (!json->contains("part")) out << "no part: name it with \"part\", the STL of the finished shape\n";
   for (const std::string& file : folder.unclear) out << "not used: " << printable(file) << " (a part, a fixture?)\n";
   if (folder.libraries.size() > 1 && !json->contains("tools"))

@@ -140,7 +140,11 @@ Result<Machine> read_stated(const std::string& typed, std::uint64_t max_bytes, s
     return read_machine(typed, bytes);
   }
   Result<std::string> read = read_file(typed, max_bytes);
-  if (!read) return read.error();
+  if (!read) {
+    Diagnostic error = read.error();
+    if (find_preset(typed) != nullptr) error.message += "; did you mean " + std::string(kMachinePreset) + typed + "?";
+    return error;
+  }
   bytes = std::move(*read);
   return is_linuxcnc_ini(bytes) ? read_linuxcnc_ini(typed, bytes) : read_machine(typed, bytes);
 }

@@ -82,7 +82,7 @@ void read_row(std::string_view words, std::string_view remark, std::size_t line,
   tool.uncertainty =
       "the tool table of LinuxCNC states D and Z alone; the tool is taken as a cylinder of this diameter, and "
       "its lengths in " +
-      std::string(unit_name(unit));
+      std::string(unit == LengthUnit::inch ? "inches" : unit_name(unit));
   collector.add(std::move(tool));
 }
 
