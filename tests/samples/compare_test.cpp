@@ -231,7 +231,8 @@ TEST_F(Compare, BatchesAreComparedJobByJob) {
   for (const char* line :
        {"job fixed: no worse: 0 new, 0 deeper, 0 not checked any more, 1 gone, 0 shallower, 0 same\n",
         "job same: no worse: 0 new", "job added: the old batch has no such job: gouges\n",
-        "job broken: the new batch has no report of it: gouges, then failed\n", "job left_out: the new batch has no such job: clean\n",
+        "job broken: the new batch has no report of it: gouges, then failed\n",
+        "job left_out: the new batch has no such job: clean\n",
         "old -> new\n5 jobs: 1 worse, 2 not fully checked, 2 no worse\n"})
     EXPECT_NE(text.out.find(line), std::string::npos) << line << text.out;
   EXPECT_EQ(shop_.run({"compare", "old", "new", "--json", "c.json"}).exit_status, 1);
