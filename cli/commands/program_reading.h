@@ -23,7 +23,7 @@ struct ProgramReading {
   InputLimit input;
 };
 
-/// What the smoothing of the control may cause, where an option states it.
+/// Departures that the smoothing of the control may cause, where an option states them.
 struct StatedTolerances {
   std::optional<double> tip_mm, axis_rad;
 };

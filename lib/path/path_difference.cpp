@@ -5,15 +5,16 @@
 #include <limits>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kChord_mm = 1e-4;   // of arcs and splines
-constexpr double kEqual_mm = 1e-9;   // a motion this near ends the search
-constexpr double kAlike_mm = 1e-3;   // a motion this near among those that follow the last one ends it too
+constexpr double kChord_mm = 1e-4;  // of arcs and splines
+// A motion this near among those that follow the last one ends the search; one at the same point ends it at once.
+constexpr double kAlike_mm = 1e-3;
 constexpr std::size_t kAhead = 200;  // motions after the last one in which the next is looked for first
 
 /// A straight feed, or a chord of one.
@@ -78,7 +79,7 @@ class Nearest {
     best_ = {};
     const std::size_t ahead = std::min(feeds_.size(), last_ + kAhead);
     const std::size_t begin = begin_ = last_;
-    look_at(pose, begin, ahead, kEqual_mm);
+    look_at(pose, begin, ahead, Tolerance::kSamePoint_mm);
     if (best_.sum(height_mm_) < kAlike_mm || look_at(pose, ahead, feeds_.size(), kAlike_mm)) return best_;
     look_at(pose, 0, begin, kAlike_mm);
     return best_;
