@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lib/base/file_kind.h"
+#include "lib/base/letters.h"
 
 namespace gouge {
 namespace {
@@ -81,6 +82,20 @@ std::string mistake_at(std::string_view bytes, std::size_t byte) {
   return "there is a mistake at or before column " + std::to_string(column) + ": found " + found;
 }
 
+// Returns the usual mistake at the byte that the parser rejected, with its remedy; empty: none of these.
+std::string usual_mistake(std::string_view bytes, std::size_t byte) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return " (UTF-16: save the file as UTF-8)";
+  if (byte == 0 || byte >= bytes.size()) return {};
+  const char rejected = bytes[byte];
+  const std::size_t last = bytes.find_last_not_of(" \t\r\n", byte - 1);
+  const char before = last == std::string_view::npos ? '\0' : bytes[last];
+  if ((rejected == ']' || rejected == '}') && before == ',') return " (a comma before a bracket: remove it)";
+  const bool is_after_digit = before == ',' && last > 0 && is_digit(bytes[last - 1]);
+  if (is_after_digit && is_digit(rejected)) return " (a decimal comma: write a point)";
+  if (bytes[byte - 1] == '\\') return " (a backslash in a text: write it twice, or / in names of files)";
+  return {};
+}
+
 }  // namespace
 
 Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind) {
@@ -97,8 +112,9 @@ Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, con
     return parsed;
   } catch (const nlohmann::json::parse_error& error) {
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-    return make_error(syntax, "this is not JSON: " + mistake_at(bytes, byte) + "; expected " + kind.what, file,
-                      line_of_byte(bytes, byte));
+    return make_error(
+        syntax, "this is not JSON: " + mistake_at(bytes, byte) + usual_mistake(bytes, byte) + "; expected " + kind.what,
+        file, line_of_byte(bytes, byte));
   } catch (const nlohmann::json::exception&) {
     return make_error(syntax, "a number in this file is too large to be a length; expected " + kind.what, file);
   }

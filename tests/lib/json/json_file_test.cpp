@@ -91,5 +91,19 @@ TEST(JsonFile, TheLineOfAKeyOfSlashesIsThatOfWhatIsAroundIt) {
   EXPECT_EQ(json->lines.at("/" + short_key), 3U);
 }
 
+TEST(JsonFile, NamesTheUsualMistakes) {
+  const auto error_of = [](const std::string& text) {
+    const Result<JsonFile> parsed = parse_json("a.json", text, {"syntax", "twice", "a list"});
+    return parsed ? std::string() : parsed.error().message;
+  };
+  EXPECT_NE(error_of("{\"a\": [1, 2,\n]}").find("a comma before a bracket: remove it"), std::string::npos);
+  EXPECT_NE(error_of("{\"a\": 0,5}").find("a decimal comma: write a point"), std::string::npos)
+      << error_of("{\"a\": 0,5}");
+  EXPECT_NE(error_of("{\"a\": \"C:\\parts\"}").find("a backslash in a text"), std::string::npos)
+      << error_of("{\"a\": \"C:\\parts\"}");
+  EXPECT_NE(error_of(std::string("\xff\xfe{\0}\0", 6)).find("save the file as UTF-8"), std::string::npos);
+  EXPECT_EQ(error_of("{\"a\": x}").find("("), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gouge
