@@ -90,6 +90,34 @@ Result<ComparedJob> compare_job(const std::string& name, const ListedJobs& befor
   return job;
 }
 
+/// Returns the names of all jobs: first those of the new batch, in its order.
+std::vector<std::string> names_of(const ListedJobs& before, const ListedJobs& after) {
+  std::vector<std::string> names;
+  for (const ListedJob& job : after) names.push_back(job.name);
+  for (const ListedJob& job : before)
+    if (find_job(after, job.name) == nullptr) names.push_back(job.name);
+  return names;
+}
+
+std::vector<InputOption> results_of(const ListedJobs& before, const ListedJobs& after) {
+  std::vector<InputOption> results;
+  for (const ListedJobs* jobs : {&before, &after})
+    for (const ListedJob& job : *jobs)
+      if (!job.result_file.empty()) results.push_back({"the result of job " + job.name, job.result_file});
+  return results;
+}
+
+Result<BatchComparison> compare_jobs(const ListedJobs& before, const ListedJobs& after,
+                                     const CompareArguments& arguments, double same_within_mm) {
+  BatchComparison batches{arguments.before, arguments.after, {}};
+  for (const std::string& name : names_of(before, after)) {
+    Result<ComparedJob> job = compare_job(name, before, after, same_within_mm, arguments.input);
+    if (!job) return job.error();
+    batches.jobs.push_back(std::move(*job));
+  }
+  return batches;
+}
+
 }  // namespace
 
 int run_compare_batches(const CompareArguments& arguments, double same_within_mm, std::ostream& out,
@@ -102,27 +130,15 @@ int run_compare_batches(const CompareArguments& arguments, double same_within_mm
   if (!before) return fail(err, {before.error()});
   const Result<ListedJobs> after = read_jobs(arguments.after, arguments.input);
   if (!after) return fail(err, {after.error()});
-  std::vector<std::string> names;
-  for (const ListedJob& job : *after) names.push_back(job.name);
-  for (const ListedJob& job : *before)
-    if (find_job(*after, job.name) == nullptr) names.push_back(job.name);
-  std::vector<InputOption> inputs;
-  for (const ListedJobs* jobs : {&*before, &*after})
-    for (const ListedJob& job : *jobs)
-      if (!job.result_file.empty()) inputs.push_back({"the result of job " + job.name, job.result_file});
-  if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
-  BatchComparison batches{arguments.before, arguments.after, {}};
-  for (const std::string& name : names) {
-    Result<ComparedJob> job = compare_job(name, *before, *after, same_within_mm, arguments.input);
-    if (!job) return fail(err, {job.error()});
-    batches.jobs.push_back(std::move(*job));
-  }
+  if (const auto status = refuse_outputs(results_of(*before, *after), outputs, err)) return *status;
+  const Result<BatchComparison> batches = compare_jobs(*before, *after, arguments, same_within_mm);
+  if (!batches) return fail(err, {batches.error()});
   if (!arguments.json_file.empty()) {
-    if (const Outcome written = write_output(arguments.json_file, comparison_json(batches), out); !written)
+    if (const Outcome written = write_output(arguments.json_file, comparison_json(*batches), out); !written)
       return fail(err, {written.error()}, kExitInternal);
   }
-  if (!arguments.is_quiet && !*taken) out << comparison_text(batches, arguments.is_verbose);
-  return batches.exit_status();
+  if (!arguments.is_quiet && !*taken) out << comparison_text(*batches, arguments.is_verbose);
+  return batches->exit_status();
 }
 
 }  // namespace gouge
