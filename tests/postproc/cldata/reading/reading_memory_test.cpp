@@ -10,12 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/paged_memory.h"
 #include "postproc/formats/read_toolpath.h"
 #include "postproc/formats/write_corrected.h"
 #include "postproc/formats/write_toolpath.h"
 
 // How much memory reading takes at its peak, for each byte of the file: every allocation is counted. The
-// files are the worst of their kind, of statements as short as they can be.
+// files are the worst of their kind, of statements as short as they can be. Large arrays are in files here, as they are
+// for long paths: of paths with small arrays, plain memory is bounded by PagedLimits.
 
 namespace {
 
@@ -47,6 +49,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kBytes = 8 << 20;
+const PagedLimits kLimitsBefore = set_paged_limits({std::size_t{64} << 20U, std::size_t{512} << 20U, 0});
 
 std::string repeated(const std::function<std::string(std::size_t)>& piece) {
   std::string text;
