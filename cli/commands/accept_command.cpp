@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
@@ -225,11 +226,7 @@ class Acceptor {
 Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments) {
   std::vector<StoredResult> results;
   for (const std::string& typed : arguments.results) {
-    if (const auto batch = refuse_batch_folder(typed)) return *batch;
-    const std::string file = result_in(typed);
-    const Result<std::string> bytes = read_file(file, arguments.input.max_bytes);
-    if (!bytes) return bytes.error();
-    Result<StoredResult> result = read_result(file, *bytes);
+    Result<StoredResult> result = load_result(typed, arguments.input);
     if (!result) return result.error();
     results.push_back(std::move(*result));
   }

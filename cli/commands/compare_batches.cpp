@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <vector>
 
+#include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
+#include "lib/json/json_file.h"
 #include "postproc/compare/batch_comparison.h"
 
 namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kSummary = "summary.json";
 
 /// A job of the summary of a batch.
 struct ListedJob {
@@ -29,14 +28,15 @@ struct ListedJob {
 using ListedJobs = std::vector<ListedJob>;
 
 Result<ListedJobs> read_jobs(const std::string& folder, const InputLimit& limit) {
-  const std::string file = (fs::path(folder) / kSummary).string();
+  const std::string file = (fs::path(folder) / kBatchSummaryName).string();
   const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
+  const Result<JsonFile> json = parse_json(file, *bytes, {"result-syntax", "result-syntax", "the summary of a batch"});
+  if (!json) return json.error();
   ListedJobs jobs;
   try {
-    const auto json = nlohmann::json::parse(*bytes);
-    if (json.at("format") != "gougecheck-batch") throw std::invalid_argument("another format");
-    for (const auto& job : json.at("jobs")) {
+    if (json->root.at("format") != "gougecheck-batch") throw std::invalid_argument("another format");
+    for (const auto& job : json->root.at("jobs")) {
       ListedJob listed{job.at("job"), job.at("verdict"), {}};
       if (const auto& report = job.at("report"); !report.is_null())
         listed.result_file = result_in((fs::path(folder) / report.get<std::string>()).parent_path().string());
@@ -56,9 +56,7 @@ const ListedJob* find_job(const ListedJobs& jobs, const std::string& name) {
 /// Returns the result of a job; null if it has none.
 Result<std::unique_ptr<const StoredResult>> load(const ListedJob* job, const InputLimit& limit) {
   if (job == nullptr || job->result_file.empty()) return std::unique_ptr<const StoredResult>();
-  const Result<std::string> bytes = read_file(job->result_file, limit.max_bytes);
-  if (!bytes) return bytes.error();
-  Result<StoredResult> result = read_result(job->result_file, *bytes);
+  Result<StoredResult> result = load_result(job->result_file, limit);
   if (!result) return result.error();
   return std::make_unique<const StoredResult>(std::move(*result));
 }

@@ -6,6 +6,7 @@
 
 #include "cli/commands/compare_batches.h"
 #include "cli/commands/compare_paths.h"
+#include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
@@ -14,17 +15,6 @@
 #include "postproc/compare/write_comparison.h"
 
 namespace gouge {
-namespace {
-
-Result<StoredResult> load_result(const std::string& typed, const InputLimit& limit) {
-  const std::string file = result_in(typed);
-  const Result<std::string> bytes = read_file(file, limit.max_bytes);
-  if (!bytes) return bytes.error();
-  return read_result(file, *bytes);
-}
-
-}  // namespace
-
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command
       .add_option("OLD", arguments.before,

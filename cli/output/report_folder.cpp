@@ -258,7 +258,7 @@ std::string result_in(const std::string& file) {
 
 bool is_batch_folder(const std::string& name) {
   std::error_code ignored;
-  return std::filesystem::is_regular_file(std::filesystem::path(name) / "summary.json", ignored);
+  return std::filesystem::is_regular_file(std::filesystem::path(name) / kBatchSummaryName, ignored);
 }
 
 std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
@@ -268,7 +268,7 @@ std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
 }
 
 const std::vector<std::string>& names_of_batch() {
-  static const std::vector<std::string> kNames = {"index.html", "summary.csv",    "summary.json",
+  static const std::vector<std::string> kNames = {"index.html", "summary.csv",    kBatchSummaryName,
                                                   "junit.xml",  "findings.sarif", kManifestName};
   return kNames;
 }

@@ -18,6 +18,7 @@
 namespace gouge {
 
 inline constexpr const char* kManifestName = "manifest.json";
+inline constexpr const char* kBatchSummaryName = "summary.json";
 
 /// A content that a file of the report may have.
 struct ManifestEntry {

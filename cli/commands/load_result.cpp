@@ -1,0 +1,16 @@
+#include "cli/commands/load_result.h"
+
+#include "cli/output/report_folder.h"
+#include "lib/base/files.h"
+
+namespace gouge {
+
+Result<StoredResult> load_result(const std::string& typed, const InputLimit& limit) {
+  if (const auto batch = refuse_batch_folder(typed)) return *batch;
+  const std::string file = result_in(typed);
+  const Result<std::string> bytes = read_file(file, limit.max_bytes);
+  if (!bytes) return bytes.error();
+  return read_result(file, *bytes);
+}
+
+}  // namespace gouge
