@@ -123,6 +123,22 @@ std::optional<Diagnostic> find_wrong_start(const Toolpath& path, const std::stri
                     "--start, or start of the machine: '" + start + "': " + wrong->first.substr(kOfStart.size()));
 }
 
+/// Describes why no motion of a program can be checked: the reason of its first move, else its last note.
+Diagnostic describe_no_motion(const Toolpath& path, const ProgramMotion& motion) {
+  std::string reason = "no block moves an axis";
+  std::size_t line = 0;
+  if (!path.moves.empty()) {
+    reason = path.moves.front().not_checked_reason;
+    line = path.moves.front().line;
+  } else if (!path.notes.empty()) {
+    reason = path.notes.back().message;
+    line = path.notes.back().line;
+  }
+  if (motion.is_rest_unknown())
+    reason += "; correct the program, or state a word that neither moves nor changes anything with --harmless-word";
+  return make_error("path-no-motion", "holds no motion that can be checked: " + reason, path.file, line);
+}
+
 }  // namespace
 
 std::span<const ProgramLanguage> all_languages() {
@@ -174,21 +190,8 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   motion.finish();
   if (facts.error) return {std::nullopt, {*facts.error}};
   if (auto error = find_wrong_start(path, options.setup.start)) return {std::nullopt, {std::move(*error)}};
-  if (!has_checked_move(path)) {
-    std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
-    if (path.moves.empty() && !motion.is_rest_unknown()) {
-      note_blocks_not_run(motion.has_run(), path);
-      reason = path.notes.empty() ? ": no block moves an axis" : ": " + path.notes.back().message;
-    }
-    if (motion.is_rest_unknown())
-      reason += "; correct the program, or state a word that neither moves nor changes anything with --harmless-word";
-    return {std::nullopt,
-            {make_error("path-no-motion", "holds no motion that can be checked" + reason, file_name,
-                        !path.moves.empty()   ? std::size_t{path.moves.front().line}
-                        : !path.notes.empty() ? path.notes.back().line
-                                              : std::size_t{0})}};
-  }
   if (!motion.is_rest_unknown()) note_blocks_not_run(motion.has_run(), path);
+  if (!has_checked_move(path)) return {std::nullopt, {describe_no_motion(path, motion)}};
   const bool is_in_part = options.setup.zero && options.setup.offsets.contains(motion.part_offset());
   if (!is_in_part) path.work_offset = motion.part_offset();
   name_first_tool(options.unnamed_tool, path);
