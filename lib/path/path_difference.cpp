@@ -90,9 +90,10 @@ class Nearest {
   template <class Condition>
   [[nodiscard]] bool has_alike(const Pose& pose, Condition fulfils) const {
     const std::size_t end = std::min(feeds_.size(), begin_ + kAhead);
+    const double near_mm = std::max(kAlike_mm, best_.sum(height_mm_));
     for (std::size_t i = begin_; i < end; ++i) {
-      if (tip_bound_mm(pose, feeds_[i]) >= kAlike_mm || !fulfils(feeds_[i].move)) continue;
-      if (distance_from(pose, feeds_[i]).sum(height_mm_) < std::max(kAlike_mm, best_.sum(height_mm_))) return true;
+      if (tip_bound_mm(pose, feeds_[i]) > near_mm || !fulfils(feeds_[i].move)) continue;
+      if (distance_from(pose, feeds_[i]).sum(height_mm_) <= near_mm) return true;
     }
     return false;
   }
