@@ -147,10 +147,6 @@ Diagnostic describe_nothing(const Folder& folder) {
   return make_error("init-nothing", message + "; give options of check, such as gougecheck init --part PART.stl");
 }
 
-}  // namespace
-
-namespace {
-
 // Names a file that is not there yet. It is no error: the project may be prepared before its files.
 void note_missing(const ProjectOption& option, std::ostream& out) {
   constexpr std::string_view kFiles[] = {"part", "fixture", "head", "tools"};

@@ -24,10 +24,10 @@ class HelpColumns {
  public:
   static constexpr std::size_t kUsual = 80, kMin = 30;
 
-  /// Fits a page to a terminal. A page is never wider than kUsual. With 0, the width is not known, and the page is kUsual wide.
+  /// Fits a page to the width of a terminal. A page is never wider than kUsual. 0: the width is not known, and the page has
+  /// the usual width.
   explicit HelpColumns(std::size_t terminal = 0) : all_(terminal == 0 ? kUsual : std::clamp(terminal, kMin, kUsual)) {}
 
-  [[nodiscard]] std::size_t all() const { return all_; }
   /// Returns the lines of an option or command, where descriptions begin in column `names`.
   [[nodiscard]] std::string row(const std::string& name, const std::string& description, std::size_t names = 30) const;
   [[nodiscard]] std::string paragraph(const std::string& text) const;

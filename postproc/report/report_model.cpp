@@ -160,10 +160,6 @@ std::string chord_error_text(const ReportModel& model) {
          "; export it with a chordal tolerance well below " + length_text(model.options.tolerance_mm, unit);
 }
 
-}  // namespace
-
-namespace {
-
 // So few cuts do not contradict the placement, but the user should look at it.
 std::string few_cuts_apart_text(const ReportModel& model) {
   const std::optional<ClosestApproach>& approach = model.result->closest_approach;

@@ -70,7 +70,8 @@ bool is_plain(std::string_view bytes) {
       has_return |= is_return;
     }
     if (is_all_plain == 0) return false;
-    for (std::size_t i = section.find('\r'); has_return != 0 && i < section.size(); i = section.find('\r', i + 1)) {
+    if (has_return == 0) continue;
+    for (std::size_t i = section.find('\r'); i < section.size(); i = section.find('\r', i + 1)) {
       if (at + i + 1 < bytes.size() && bytes[at + i + 1] != '\n') return false;
     }
   }
