@@ -52,7 +52,7 @@ class FolderWalk {
   FolderWalk(const std::string& output, bool are_programs)
       : own_(canonical_place(output)), are_programs_(are_programs) {}
 
-  /// Errors: folder-unreadable.
+  /// Adds the toolpaths of a folder, unless it was looked into before. Errors: folder-unreadable.
   Outcome look_into(const std::string& folder) {
     if (!seen_.insert(canonical_place(folder)).second) return Done{};
     std::error_code failed;

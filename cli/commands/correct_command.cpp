@@ -170,8 +170,8 @@ void add_left_stock(const Toolpath& path, const CorrectionFacts& facts, Diagnost
   notes.push_back(make_warning("stock-left", stock_text(facts, path.unit), path.file, facts.stock.front().first_line));
 }
 
-/// Returns the error if the part lies elsewhere than the path, or is of another size. A correction that moves thousands
-/// of positions out of it is useless, and a file that the check of a wrong part left as it is looks corrected.
+/// Returns the error if the part lies elsewhere than the path, or is of another size. Then a correction that moves
+/// thousands of positions is useless, and a file without changes only seems to be corrected.
 std::optional<Diagnostic> find_misfit(const Toolpath& path, const CheckResult& result) {
   const auto refuse = [&](const std::string& why) {
     return make_error("path-misfit", why + "; nothing was written; --force corrects all the same", path.file);

@@ -226,9 +226,8 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
       "  gougecheck verify result.json --certificate proofs.gcp\n\n"
       "The command reads the inputs that the result names, from their paths, or relative to the folder of the result "
       "or to one above it. It recomputes every witness, tests every proof in interval arithmetic and looks for "
-      "counterexamples. It "
-      "shares no code with the check except the readers of files. docs/method/verify.md explains the method and "
-      "has an example that is computed by hand.\n\n"
+      "counterexamples. It shares no code with the check except the readers of files. docs/method/verify.md explains "
+      "the method and has an example that is computed by hand.\n\n"
       "Exit status: 0 verified, 1 refuted, 2 wrong command line, 3 input unreadable, 4 not everything is "
       "covered, 5 internal or resource failure.");
 }
