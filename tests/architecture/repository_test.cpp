@@ -15,7 +15,7 @@
 
 // The rules of the house on the house itself.
 
-namespace gouge::architecture {
+namespace gouge::architecture::repository_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -214,4 +214,4 @@ TEST(Repository, EveryPageThatAFileNamesIsThere) {
 }
 
 }  // namespace
-}  // namespace gouge::architecture
+}  // namespace gouge::architecture::repository_test

@@ -5,7 +5,7 @@
 
 // The rules themselves, tried on small bad and good examples.
 
-namespace gouge::architecture {
+namespace gouge::architecture::rules_test {
 namespace {
 
 Module room(const std::string& path, const std::vector<std::string>& imports) { return {path, imports, {}, {}}; }
@@ -213,4 +213,4 @@ TEST(Documents, LinksToFilesAndQuotedPathsAreRead) {
 }
 
 }  // namespace
-}  // namespace gouge::architecture
+}  // namespace gouge::architecture::rules_test

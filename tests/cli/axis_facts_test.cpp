@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gouge {
+namespace gouge::axis_facts_test {
 namespace {
 
 Move feed_to(double x, double angle_rad) {
@@ -55,4 +55,4 @@ TEST(RotaryLimit, IsDegreesAMinuteOrNone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::axis_facts_test

@@ -12,7 +12,7 @@
 #include "lib/mesh/write_stl.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::clash_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ TEST_F(ClashCommand, JsonToStandardOutputStandsThereAlone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::clash_command_test

@@ -11,7 +11,7 @@
 #include "cli/run.h"
 #include "lib/base/printable_text.h"
 
-namespace gouge {
+namespace gouge::help_text_test {
 namespace {
 
 TEST(HelpText, LinesBreakAtBlanksAndExamplesStayWhole) {
@@ -132,4 +132,4 @@ TEST(HelpText, ConvertOffersOnlyDialectsThatCanBeWritten) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::help_text_test

@@ -10,7 +10,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::job_dealer_test {
 namespace {
 
 using Positions = std::vector<std::size_t>;
@@ -98,4 +98,4 @@ TEST(JobDealer, GivesEachPositionOnceAndHasFewReadTheSameScene) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::job_dealer_test

@@ -7,7 +7,7 @@
 
 // Facts of joints that the user states in place of those of the machine file.
 
-namespace gouge {
+namespace gouge::joint_facts_test {
 namespace {
 
 Machine umc750() { return read_machine("umc", find_preset("haas-umc750")->text).value(); }
@@ -83,4 +83,4 @@ TEST(JointFacts, WrongTextsAreRefusedWithTheirOption) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::joint_facts_test

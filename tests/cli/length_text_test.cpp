@@ -4,7 +4,7 @@
 
 #include "cli/options/length_rule.h"
 
-namespace gouge {
+namespace gouge::length_text_test {
 namespace {
 
 TEST(LengthText, ALengthMayCarryItsUnit) {
@@ -87,4 +87,4 @@ TEST(LengthText, ATurnByAHugeAngleIsARotation) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::length_text_test

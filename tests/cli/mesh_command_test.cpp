@@ -12,7 +12,7 @@
 #include "lib/mesh/write_stl.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::mesh_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ TEST_F(MeshCommand, WhatCannotBeReadOrWrittenIsOneClearError) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::mesh_command_test

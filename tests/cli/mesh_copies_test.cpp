@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace gouge {
+namespace gouge::mesh_copies_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST(MeshCopies, AreDoneWithoutWhereTheyCannotBe) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::mesh_copies_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::mesh_limits_test {
 namespace {
 
 Result<std::vector<MeshLimit>> limits_of(const std::string& typed, Against against = Against::fixture) {
@@ -61,4 +61,4 @@ TEST(MeshLimits, GiveAPartNoClearance) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::mesh_limits_test

@@ -11,7 +11,7 @@
 #include "lib/base/files.h"
 #include "tests/support/other_user.h"
 
-namespace gouge {
+namespace gouge::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,4 +137,4 @@ TEST_F(OutputFile, DataThatStandardOutputDoesNotTakeAreAFailure) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::output_file_test

@@ -8,7 +8,7 @@
 
 #include "cli/output/report_folder.h"
 
-namespace gouge {
+namespace gouge::overwriting_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,4 +139,4 @@ TEST(OutputTable, StandardOutputBelongsToOne) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::overwriting_test

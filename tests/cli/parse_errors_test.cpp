@@ -10,7 +10,7 @@
 #include "cli/run.h"
 #include "lib/base/exit_code.h"
 
-namespace gouge {
+namespace gouge::parse_errors_test {
 namespace {
 
 // Message of the program for a wrong command line, without its frame; fails the test where it is not one such line.
@@ -209,4 +209,4 @@ TEST(ParseErrors, TheNearestNameIsNearAndTheOnlyOneBegun) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::parse_errors_test

@@ -8,7 +8,7 @@
 
 #include "lib/base/files.h"
 
-namespace gouge {
+namespace gouge::program_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST_F(ProgramFiles, OfANameWithAnEndingAreThatFileAlone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::program_files_test

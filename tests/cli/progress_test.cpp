@@ -7,7 +7,7 @@
 #include <sstream>
 #include <thread>
 
-namespace gouge {
+namespace gouge::progress_test {
 namespace {
 
 void wait_ms(int duration) { std::this_thread::sleep_for(std::chrono::milliseconds(duration)); }
@@ -97,4 +97,4 @@ TEST(DurationText, IsShort) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::progress_test

@@ -11,7 +11,7 @@
 
 #include "tests/support/source_folder.h"
 
-namespace gouge {
+namespace gouge::project_file_test {
 namespace {
 
 std::string document(const std::string& name) {
@@ -81,4 +81,4 @@ TEST(ProjectFile, AbsolutePathsStay) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::project_file_test

@@ -17,7 +17,7 @@
 #include "tests/postproc/image/small_scene.h"
 #include "tests/support/other_user.h"
 
-namespace gouge {
+namespace gouge::report_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,4 +236,4 @@ TEST(ReportManifest, EveryPictureIsANameOfTheReportAndOnItsPage) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::report_folder_test

@@ -56,7 +56,7 @@ int fchmod(int handle, mode_t mode) noexcept {
 }
 }
 
-namespace gouge {
+namespace gouge::report_kill_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,4 +168,4 @@ TEST_F(ReportKill, AFailureAtAnyCallLeavesWholeFilesAndNoOthers) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::report_kill_test

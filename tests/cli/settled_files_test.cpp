@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace gouge {
+namespace gouge::settled_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ TEST(SettledFiles, PassOverHiddenAndTemporaryOnesAndWhatThePatternLeavesOut) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::settled_files_test

@@ -12,7 +12,7 @@
 #include "lib/mesh/mesh_builder.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::setup_notes_test {
 namespace {
 
 // A block whose sides at low and high y are grids of n x n squares that are not quite where a coarser body has its
@@ -121,4 +121,4 @@ TEST(SetupNotes, WhatStaysUndecidedIsAWarningToo) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::setup_notes_test

@@ -10,7 +10,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
-namespace gouge {
+namespace gouge::short_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,11 +87,31 @@ TEST_F(ShortLine, NamesFilesThatDoNotFit) {
             std::string::npos);
   EXPECT_NE(error({folder_, part}).find("is a folder"), std::string::npos);
   const std::string step = add("part.step", "ISO-10303-21;\nHEADER;\n"), notes = add("notes.txt", "cut it slowly\n");
-  EXPECT_NE(error({path, step}).find("is a STEP file"), std::string::npos) << error({path, step});
+  EXPECT_NE(error({step}).find("is a STEP file, which holds geometry and no toolpath"), std::string::npos);
+  EXPECT_NE(error({step, tools}).find("none of the files is a toolpath: " + step + " is a STEP file"),
+            std::string::npos);
   EXPECT_NE(error({path, part, notes}).find("notes.txt is neither a toolpath nor an STL file"), std::string::npos);
   EXPECT_EQ(expanded({notes, part})[1], "check") << "its reader says what is wrong";
   EXPECT_NE(error({path, part, add("empty.json", "")}).find("empty.json' is empty; expected"), std::string::npos);
 }
 
+TEST_F(ShortLine, GivesForeignFilesToTheReaderOfWhatIsMissing) {
+  const std::string step = add("part.step", "ISO-10303-21;\nHEADER;\n"),
+                    xml = add("tools.xml", "<?xml version='1.0'?>");
+  const std::string zip = add("part.3mf", std::string("PK\3\4") + std::string(60, ' '));
+  const auto made = [&](const Words& words) {
+    Words all = expanded(words);
+    all.erase(all.begin(), all.begin() + 3);
+    all.resize(all.size() - 2);
+    return all;
+  };
+  EXPECT_EQ(made({path, step}), (Words{"--part", step}));
+  EXPECT_EQ(made({step, path, tools}), (Words{"--part", step, "--tools", tools}));
+  EXPECT_EQ(made({path, part, xml}), (Words{"--part", part, "--tools", xml}));
+  EXPECT_EQ(made({path, xml, step}), (Words{"--part", step, "--tools", xml}));
+  EXPECT_EQ(made({path, zip}), (Words{"--part", zip}));
+  EXPECT_NE(expanded({path, part, step}).front().find("part.step is neither a toolpath nor"), std::string::npos);
+}
+
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::short_line_test

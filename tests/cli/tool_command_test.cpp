@@ -9,7 +9,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 
-namespace gouge {
+namespace gouge::tool_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST_F(ToolCommand, ABadLibraryIsInvalidInput) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tool_command_test

@@ -11,7 +11,7 @@
 #include "tests/support/source_folder.h"
 #include "toolmodels/tool_library.h"
 
-namespace gouge {
+namespace gouge::tool_import_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ TEST_F(ToolImport, WhatCannotBeReadIsRefusedAndNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tool_import_test

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace gouge {
+namespace gouge::toolpath_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,13 +25,13 @@ TEST(NamesOfToolpaths, StayEqualForOneFileGivenTwice) {
   EXPECT_EQ(names_of_toolpaths({"op.apt", "./op.apt"}), (Names{"op.apt", "op.apt"}));
 }
 
-struct Folder : testing::Test {
+struct ToolpathFolder : testing::Test {
   fs::path root = fs::path(testing::TempDir()) / "gouge_toolpath_files";
 
-  Folder() { fs::remove_all(root); }
-  ~Folder() override { fs::remove_all(root); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+  ToolpathFolder() { fs::remove_all(root); }
+  ~ToolpathFolder() override { fs::remove_all(root); }
+  ToolpathFolder(const ToolpathFolder&) = delete;
+  ToolpathFolder& operator=(const ToolpathFolder&) = delete;
 
   void put(const std::string& name) const {
     fs::create_directories((root / name).parent_path());
@@ -39,7 +39,7 @@ struct Folder : testing::Test {
   }
 };
 
-TEST_F(Folder, HasTheToolpathsInItAndBelowIt) {
+TEST_F(ToolpathFolder, HasTheToolpathsInItAndBelowIt) {
   for (const char* name :
        {"b.APT", "a/c.ncl.1", "a/part.stl", "tools.json", ".old/d.apt", ".e.apt", "night/corrected/f.apt", "g.ngc"})
     put(name);
@@ -51,7 +51,7 @@ TEST_F(Folder, HasTheToolpathsInItAndBelowIt) {
   EXPECT_EQ(*programs, (Names{root / "g.ngc"}));
 }
 
-TEST_F(Folder, WithoutToolpathsIsRefused) {
+TEST_F(ToolpathFolder, WithoutToolpathsIsRefused) {
   put("part.stl");
   const auto found = expand_folders({root.string()}, "night", false);
   ASSERT_FALSE(found);
@@ -61,4 +61,4 @@ TEST_F(Folder, WithoutToolpathsIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::toolpath_files_test

@@ -16,7 +16,7 @@
 // is whole, leaves what an undisturbed one leaves: no job lost, none twice, the same bytes. GOUGE_KILLS states how many
 // signals, GOUGE_RANK_KILLS how many ranks, GOUGE_FULL_DISKS how many disks, GOUGE_SEED which.
 
-namespace gouge::testing_faults {
+namespace gouge::testing_faults::batch_kills_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -190,4 +190,4 @@ TEST(BatchKills, ByAFullDiskAreResumedOnceThereIsRoom) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_faults
+}  // namespace gouge::testing_faults::batch_kills_test

@@ -6,7 +6,7 @@
 // or all. Whatever fails: no crash, no half file, nothing left behind, and the undisturbed result or status 5 with a
 // message.
 
-namespace gouge::testing_faults {
+namespace gouge::testing_faults::faults_test {
 namespace {
 
 struct Fault {
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Commands, Faults, testing::Values("check", "correct", "
                          [](const auto& command) { return std::string(command.param); });
 
 }  // namespace
-}  // namespace gouge::testing_faults
+}  // namespace gouge::testing_faults::faults_test

@@ -11,7 +11,7 @@
 // calls that change the disk (GOUGE_FAULTS of a kind, or all; GOUGE_FAULT_KINDS of these kinds alone). No file is half;
 // what SIGTERM and SIGINT end leaves nothing behind, and what SIGKILL ends the next run completes and tidies up.
 
-namespace gouge::testing_faults {
+namespace gouge::testing_faults::kills_test {
 namespace {
 
 struct Signal {
@@ -78,4 +78,4 @@ INSTANTIATE_TEST_SUITE_P(Commands, Kills, testing::Values("check", "correct", "r
                          [](const auto& command) { return std::string(command.param); });
 
 }  // namespace
-}  // namespace gouge::testing_faults
+}  // namespace gouge::testing_faults::kills_test

@@ -9,7 +9,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::arc_laws_test {
 namespace {
 
 struct ArcScene {
@@ -118,4 +118,4 @@ TEST(ArcLaws, AnArcIsNotItsChord) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::arc_laws_test

@@ -16,7 +16,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::arc_sense_test {
 namespace {
 
 class ArcSense : public ::testing::TestWithParam<real_arcs::ArcCase> {};
@@ -78,4 +78,4 @@ TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::arc_sense_test

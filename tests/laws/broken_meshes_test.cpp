@@ -12,7 +12,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::broken_meshes_test {
 namespace {
 
 using laws::SceneScatter;
@@ -309,4 +309,4 @@ TEST(BrokenMeshes, AnOpenSurfaceThatStandsThereSeveralTimesProvesNoOutside) { ch
 TEST(BrokenMeshes, AFileThatIsInsideOutIsNoCavityOfAnother) { check_many(turn_files_at_random); }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::broken_meshes_test

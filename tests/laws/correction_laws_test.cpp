@@ -21,7 +21,7 @@
 #include "tests/support/rotary_head_law.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge::laws {
+namespace gouge::laws::correction_laws_test {
 namespace {
 
 std::size_t number_of(const char* name, std::size_t usual) {
@@ -221,4 +221,4 @@ TEST_P(CorrectionLawsOnRealPairs, HoldWithJNegated) {
 }
 
 }  // namespace
-}  // namespace gouge::laws
+}  // namespace gouge::laws::correction_laws_test

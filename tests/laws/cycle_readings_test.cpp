@@ -9,7 +9,7 @@
 #include "tests/laws/reading.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::cycle_readings_test {
 namespace {
 
 const std::string kNx =
@@ -177,4 +177,4 @@ TEST(OpenCycle, IsNamedByItsLineInCopiesOfThePath) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cycle_readings_test

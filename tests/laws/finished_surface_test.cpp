@@ -25,7 +25,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::finished_surface_test {
 namespace {
 
 constexpr double kStep_mm = 0.05;      // of the tip, between two samples of a motion
@@ -263,4 +263,4 @@ TEST(FinishedSurface, OfAFlatEndOnAFloorKeepsItFromBeingTilted) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::finished_surface_test

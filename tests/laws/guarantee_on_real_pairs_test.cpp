@@ -6,7 +6,7 @@
 #include "tests/laws/guarantee.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge {
+namespace gouge::guarantee_on_real_pairs_test {
 namespace {
 
 struct Pair {
@@ -47,4 +47,4 @@ TEST_P(GuaranteeOnRealPairs, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanR
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::guarantee_on_real_pairs_test

@@ -7,7 +7,7 @@
 #include "samples/write_sample.h"
 #include "tests/laws/guarantee.h"
 
-namespace gouge {
+namespace gouge::guarantee_test {
 namespace {
 
 struct SampleCase {
@@ -84,4 +84,4 @@ TEST_P(GuaranteeOnSamples, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanRep
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::guarantee_test

@@ -11,7 +11,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::laws_test {
 namespace {
 
 using laws::RandomScene;
@@ -293,4 +293,4 @@ TEST(Laws, TheReferenceNeverFindsMoreOnRandomScenes) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::laws_test

@@ -15,7 +15,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::machine_certificate_test {
 namespace {
 
 const std::string kInputs(64, 'a');
@@ -169,4 +169,4 @@ INSTANTIATE_TEST_SUITE_P(All, MachineCertificate,
                          });
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::machine_certificate_test

@@ -14,7 +14,7 @@
 #include "tests/support/machine_reference.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::machine_law_test {
 namespace {
 
 constexpr int kInstants = 80;
@@ -247,4 +247,4 @@ INSTANTIATE_TEST_SUITE_P(All, MachineLaw,
                          [](const auto& tested) { return std::string(turn_law_name(tested.param)); });
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::machine_law_test

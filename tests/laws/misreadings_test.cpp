@@ -9,7 +9,7 @@
 #include "postproc/formats/toolpath_format.h"
 #include "tests/laws/reading.h"
 
-namespace gouge {
+namespace gouge::misreadings_test {
 namespace {
 
 struct Misreading {
@@ -315,4 +315,4 @@ TEST(ByteOrderMark, IsNoPartOfWhatShowsTheDialect) {
 TEST_P(Misread, IsNotTakenForClean) { EXPECT_EQ(outcome_at_box(GetParam().text), GetParam().outcome); }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::misreadings_test

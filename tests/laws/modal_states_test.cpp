@@ -8,7 +8,7 @@
 #include "tests/laws/reading.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::modal_states_test {
 namespace {
 
 struct ModalCase {
@@ -389,4 +389,4 @@ TEST(Units, TwoInOneStatementAreRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::modal_states_test

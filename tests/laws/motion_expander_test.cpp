@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-namespace gouge::laws {
+namespace gouge::laws::motion_expander_test {
 namespace {
 
 struct Reading {
@@ -68,4 +68,4 @@ TEST(Expanded, MotionsAreInPartCoordinatesAndMm) {
 }
 
 }  // namespace
-}  // namespace gouge::laws
+}  // namespace gouge::laws::motion_expander_test

@@ -20,7 +20,7 @@
 #include "tests/laws/statement_mutator.h"
 #include "tests/support/shapes.h"
 
-namespace gouge::laws {
+namespace gouge::laws::mutation_law_test {
 namespace {
 
 constexpr std::size_t kStretch = 120, kStretches = 4;
@@ -164,4 +164,4 @@ TEST_P(MutationLawOfRealFiles, IsCleanOnlyWhereEveryReadingWasChecked) {
 INSTANTIATE_TEST_SUITE_P(Real, MutationLawOfRealFiles, ::testing::ValuesIn(real_files()), test_name);
 
 }  // namespace
-}  // namespace gouge::laws
+}  // namespace gouge::laws::mutation_law_test

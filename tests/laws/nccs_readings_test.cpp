@@ -10,7 +10,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::nccs_readings_test {
 namespace {
 
 constexpr Minor kOff{72}, kLeft{8}, kDrill{163}, kRapto{280}, kFedto{281};
@@ -34,7 +34,7 @@ MoveVerdicts verdicts(const Toolpath& path, const IndexedMesh& part) {
 }
 
 /// "clean", or the state of the first move that is not.
-std::string verdict(const Toolpath& path, const IndexedMesh& part) {
+std::string verdict_of(const Toolpath& path, const IndexedMesh& part) {
   for (const MoveVerdict& v : verdicts(path, part)) {
     if (v.state != MoveState::clean) return state_name(v.state);
   }
@@ -55,27 +55,27 @@ NccsFile hole(const std::vector<NccsFile::Argument>& depth) {
 
 TEST(NccsReading, ThePositionOfAHoleIsItsTop) {
   const Toolpath path = read(hole({12.5}).bytes());
-  EXPECT_EQ(verdict(path, plate(-12.6)), "clean");
-  EXPECT_EQ(verdict(path, plate(-12.4)), "gouge");
+  EXPECT_EQ(verdict_of(path, plate(-12.6)), "clean");
+  EXPECT_EQ(verdict_of(path, plate(-12.4)), "gouge");
   Toolpath from_bottom = path;  // were it the bottom, all would be higher by the depth
   for (Move& move : from_bottom.moves) {
     if (move.kind == MoveKind::cycle) move.end.tip.z() += 12.5;
   }
-  EXPECT_EQ(verdict(from_bottom, plate(-12.4)), "clean") << "which would be wrong";
+  EXPECT_EQ(verdict_of(from_bottom, plate(-12.4)), "clean") << "which would be wrong";
 }
 
 TEST(NccsReading, ADiameterAndAnAngleAreNoDepth) {
   const Toolpath path = read(hole({10.0, 40.0}).bytes());  // 5 / tan 20
-  EXPECT_EQ(verdict(path, plate(-13.8)), "clean");
-  EXPECT_EQ(verdict(path, plate(-13.7)), "gouge");
-  EXPECT_EQ(verdict(read(hole({10.0}).bytes()), plate(-13.7)), "clean") << "which would be wrong";
+  EXPECT_EQ(verdict_of(path, plate(-13.8)), "clean");
+  EXPECT_EQ(verdict_of(path, plate(-13.7)), "gouge");
+  EXPECT_EQ(verdict_of(read(hole({10.0}).bytes()), plate(-13.7)), "clean") << "which would be wrong";
 }
 
 TEST(NccsReading, CutcomIsOnUntilOff) {
   NccsFile file;
   file.multax(true).points({0, 0, 9, 0, 0, 1}).post(1007, {kLeft}).points({5, 0, 9, 0, 0, 1});
   const IndexedMesh below = plate(0);
-  EXPECT_EQ(verdict(read(file.bytes()), below), "not-checked");
+  EXPECT_EQ(verdict_of(read(file.bytes()), below), "not-checked");
   NccsFile then = file;
   then.post(1007, {kOff}).points({6, 0, 9, 0, 0, 1}).points({6, 0, -1, 0, 0, 1});
   file.points({6, 0, 9, 0, 0, 1}).points({6, 0, -1, 0, 0, 1});
@@ -91,22 +91,22 @@ TEST(NccsReading, AnArcIsRunTheShortWay) {
   const IndexedMesh post = shapes::box({-14.24, -14.24, -5}, {-14.04, -14.04, 5});
   NccsFile file;
   file.multax(false).points({20, 0, 0}).circle({0, 0, 0, 0, 0, -1, 20}).points({0, 20, 0});
-  EXPECT_EQ(verdict(read(file.bytes()), post), "clean");
+  EXPECT_EQ(verdict_of(read(file.bytes()), post), "clean");
   const std::string text =
       "REMARK a.as NCLCAM 2019.00\nMULTAX/OFF\nGOTO/20.,0.,0.\nCIRCLE/0.,0.,0.,0.,0.,-1.,20.\nGOTO/0.,20.,0.\nFINI\n";
-  EXPECT_EQ(verdict(read(text), post), "clean");
-  EXPECT_EQ(verdict(read(text, "apt-creo"), post), "gouge");
+  EXPECT_EQ(verdict_of(read(text), post), "clean");
+  EXPECT_EQ(verdict_of(read(text, "apt-creo"), post), "gouge");
 }
 
 TEST(NccsReading, TheVectorsOfExpandedMotionAreNoPlaces) {
   const IndexedMesh block = shapes::box({89, 90, 91}, {91, 92, 93});
   NccsFile file;
   file.multax(true).expanded({0, 0, 9, 0, 0, 1, 5, 0, 9, 0, 0, 1});
-  EXPECT_EQ(verdict(read(file.bytes()), block), "clean");
+  EXPECT_EQ(verdict_of(read(file.bytes()), block), "clean");
   NccsFile wrong;
   wrong.multax(false).points({0, 0, 9, 0, 0, 1, 90, 91, 92});
-  EXPECT_EQ(verdict(read(wrong.bytes()), block), "gouge");
+  EXPECT_EQ(verdict_of(read(wrong.bytes()), block), "gouge");
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nccs_readings_test

@@ -8,7 +8,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::nci_readings_test {
 namespace {
 
 Toolpath read(const std::string& text, bool is_centre = false) {
@@ -115,4 +115,4 @@ TEST(NciReading, FlagsThatMayCompensateAreNotPassedOver) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nci_readings_test

@@ -19,7 +19,7 @@
 #include "tests/support/reference_hunt.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::overcut_law_test {
 namespace {
 
 constexpr double kRounding_mm = 1e-6;
@@ -229,4 +229,4 @@ TEST(OvercutLaw, HoldsWhereTheJointsOfAMachineRun) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::overcut_law_test

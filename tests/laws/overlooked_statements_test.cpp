@@ -13,7 +13,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::overlooked_statements_test {
 namespace {
 
 /// A box whose top is z = 0.
@@ -324,4 +324,4 @@ TEST(LineOfNumbersAfterAPosition, LeavesItWithoutAnAxisToTrust) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::overlooked_statements_test

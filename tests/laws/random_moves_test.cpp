@@ -17,7 +17,7 @@
 #include "tests/support/rotary_head_law.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::random_moves_test {
 namespace {
 
 constexpr double kRounding_mm = 1e-9, kWitness_mm = 1e-6;
@@ -411,4 +411,4 @@ TEST(RandomMovesBesideKeptObstacle, ReachFartherThanALargerDistanceAllows) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::random_moves_test

@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::readings_test {
 namespace {
 
 struct ForcedArc {
@@ -194,4 +194,4 @@ TEST_P(ToolReading, OnlyTheWrongToolMeetsThePart) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::readings_test

@@ -12,7 +12,7 @@
 #include "tests/lib/stock/block.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::stock_certificate_test {
 namespace {
 
 const std::string kInputs(64, 'a');
@@ -230,4 +230,4 @@ TEST(StockCertificate, BelongsToResultsWithStock) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::stock_certificate_test

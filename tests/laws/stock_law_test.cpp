@@ -13,7 +13,7 @@
 #include "tests/lib/stock/block.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::stock_law_test {
 namespace {
 
 constexpr int kInstants = 60;
@@ -157,4 +157,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, StockLaw,
                          [](const testing::TestParamInfo<Case>& at) { return at.param.name; });
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::stock_law_test

@@ -20,7 +20,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::tilt_law_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -276,4 +276,4 @@ TEST(TiltLaw, HoldsForRandomRuns) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tilt_law_test

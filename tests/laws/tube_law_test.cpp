@@ -12,7 +12,7 @@
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::tube_law_test {
 namespace {
 
 constexpr double kRounding_mm = 1e-7, kWitness_mm = 1e-6;
@@ -152,4 +152,4 @@ TEST(TubeLaw, TheCampaignFindsWhatACheckWithoutTheTubeMisses) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tube_law_test

@@ -8,7 +8,7 @@
 #include "postproc/formats/read_toolpath.h"
 #include "tests/laws/reading.h"
 
-namespace gouge {
+namespace gouge::unknown_words_test {
 namespace {
 
 struct Wording {
@@ -199,4 +199,4 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(UnknownWord, IsNotTakenForClean) { EXPECT_EQ(outcome_at_box(GetParam().text), GetParam().outcome); }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::unknown_words_test

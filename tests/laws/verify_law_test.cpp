@@ -15,7 +15,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::verify_law_test {
 namespace {
 
 using laws::RandomScene;
@@ -262,4 +262,4 @@ TEST(VerifyLaw, EveryMutationIsFound) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::verify_law_test

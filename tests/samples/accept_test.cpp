@@ -8,7 +8,7 @@
 // `gougecheck accept` and `check --baseline`: what is accepted is distinguished, and every way in which an acceptance could
 // hide another gouge. Each expectation was written down before the program was run.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::accept_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -295,6 +295,17 @@ TEST_F(Accept, AllFindingsAreAcceptedAtOnce) {
   EXPECT_EQ(check(text).exit_status, 0);
 }
 
+TEST_F(Accept, ADateInTheFutureIsAWarning) {
+  ASSERT_EQ(shop_.check("a", path_text(stations({{40, -0.2}, {50, -0.2}}))).exit_status, 1);
+  const auto accepted_on = [&](const std::string& date, const std::string& file) {
+    return shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "b", "-o", file, "--date", date});
+  };
+  const Outcome early = accepted_on("2199-01-01", "early.json");
+  EXPECT_EQ(early.exit_status, 0);
+  EXPECT_NE(early.err.find("warning: --date 2199-01-01 is in the future; today is "), std::string::npos) << early.err;
+  EXPECT_EQ(accepted_on("2026-11-23", "past.json").err, "");
+}
+
 TEST_F(Accept, AllOfACleanResultIsAnEmptyFile) {
   ASSERT_EQ(shop_.check("a", path_text(stations())).exit_status, 0);
   const Outcome ran = shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "b", "-o", "accepted.json"});
@@ -360,4 +371,4 @@ TEST_F(Accept, ANumberGivenTwiceIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::accept_test

@@ -8,7 +8,7 @@
 
 // An arc that must change stays an arc in the file.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::arcs_stay_test {
 namespace {
 
 /// A box from -40 to 40 in x and y and from -10 to 0 in z.
@@ -54,4 +54,4 @@ TEST(ArcsStay, OneCircleALittleTooDeepIsOneCircleStill) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::arcs_stay_test

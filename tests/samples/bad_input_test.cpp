@@ -7,7 +7,7 @@
 
 // Bad input ends with status 3, one message that names the file, and no output file.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::bad_input_test {
 namespace {
 
 struct BadInput {
@@ -124,4 +124,4 @@ TEST(OtherBadInput, OutputsThatCannotBeWrittenAreAllFoundBeforeTheWork) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::bad_input_test

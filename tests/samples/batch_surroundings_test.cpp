@@ -13,7 +13,7 @@
 
 // Foreign, blocking or changed files that a batch finds in its folder or in a share.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::batch_surroundings_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -198,4 +198,4 @@ TEST(Batch, OfTwoInOneFolderTheSecondIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::batch_surroundings_test

@@ -13,7 +13,7 @@
 
 // gougecheck batch and merge as their users run them.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::batch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -365,4 +365,4 @@ TEST(Batch, LooksIntoLinkedFoldersAndOverlooksNoDeadLink) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::batch_test

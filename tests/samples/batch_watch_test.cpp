@@ -8,7 +8,7 @@
 
 // gougecheck batch --watch, as its users run it.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::batch_watch_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -72,4 +72,4 @@ TEST(Batch, WatchesOnWhileAQueryHoldsTheStore) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::batch_watch_test

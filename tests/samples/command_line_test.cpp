@@ -10,7 +10,7 @@
 
 // Exit statuses and streams, as docs/exit_codes.md guarantees them.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::command_line_test {
 namespace {
 
 TEST(CommandLine, WithoutACommandOrWithAnUnknownOneIsStatus2) {
@@ -257,4 +257,4 @@ TEST(CommandLine, ReportsLeavePicturesAndAPageInTheFolder) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::command_line_test

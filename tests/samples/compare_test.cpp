@@ -8,7 +8,7 @@
 
 // `gougecheck compare` as a person would judge it. Each expectation was written down before the program was run.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::compare_test {
 namespace {
 
 const std::vector<Station> kTwoDeep = {{40, -0.2}, {50, -0.2}};
@@ -273,4 +273,4 @@ TEST_F(Compare, AResultThatIsNotAsItWasWrittenIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::compare_test

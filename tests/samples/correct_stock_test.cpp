@@ -7,7 +7,7 @@
 
 // Corrections out of remaining stock, as users see them.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::correct_stock_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -154,4 +154,4 @@ TEST_F(CorrectStockSample, WhatItDoesNotCoverIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::correct_stock_test

@@ -10,7 +10,7 @@
 
 // Corrected samples re-check clean, and what did not gouge stays byte for byte.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::corrections_test {
 namespace {
 
 class Corrections : public ::testing::TestWithParam<std::string> {};
@@ -98,4 +98,4 @@ TEST_P(Corrections, AreTheSameBytesAtOneAndTwoThreads) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::corrections_test

@@ -13,7 +13,7 @@
 
 // check --find-cures as users run it: the lift proved on files lifted by hand, the tilt by what correct writes.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::cures_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -129,4 +129,4 @@ TEST(Cures, AreTheSameAtAnyNumberOfThreadsAndShownToPeople) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::cures_test

@@ -8,7 +8,7 @@
 
 // Material left on the part, as users see it.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::excess_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -121,4 +121,4 @@ TEST_F(ExcessSample, ABatchHasTheVerdict) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::excess_test

@@ -16,7 +16,7 @@
 #include "tests/support/gcode_writer.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::gcode_test {
 namespace {
 
 /// A machine, the control of its program, and the facts that the program does not state.
@@ -241,4 +241,4 @@ TEST_F(SmallProgram, WithVectorsIsCheckedByTheLawOfVectorsAlone) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::gcode_test

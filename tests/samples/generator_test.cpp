@@ -10,7 +10,7 @@
 
 // The generator by itself: what it writes is sound input.
 
-namespace gouge::samples {
+namespace gouge::samples::generator_test {
 namespace {
 
 TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
@@ -77,4 +77,4 @@ TEST(SampleFindings, StandOnLinesThatHoldPositions) {
 }
 
 }  // namespace
-}  // namespace gouge::samples
+}  // namespace gouge::samples::generator_test

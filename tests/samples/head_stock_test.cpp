@@ -10,7 +10,7 @@
 
 // Heads beside remaining stock, as users see it.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::head_stock_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -119,4 +119,4 @@ TEST_F(HeadStockSample, TheResultIsTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::head_stock_test

@@ -10,7 +10,7 @@
 
 // Inputs that never end or are larger than anything a user means, at every place a command reads.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::hostile_input_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -108,4 +108,4 @@ TEST_F(HostileInput, APipeThatEndsIsReadLikeAFile) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::hostile_input_test

@@ -11,7 +11,7 @@
 // to forge a line of their own. Whatever command names them, each line it prints is its own and holds nothing
 // a terminal obeys.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::hostile_names_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +146,4 @@ TEST_F(HostileNames, OfWrongCommandLines) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::hostile_names_test

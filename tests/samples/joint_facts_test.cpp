@@ -7,7 +7,7 @@
 
 // Facts of joints on the command line, in project files and in results.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::joint_facts_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -148,4 +148,4 @@ TEST_F(Intervals, OfPointsAddToTheTipTolerance) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::joint_facts_test

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
 // Warnings about feeds that rotary joints cannot follow, and about opposite tool axes.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::joint_rates_test {
 namespace {
 
 const std::string kTrunnion = "preset:linuxcnc-xyzac-trt";
@@ -40,13 +42,14 @@ TEST(JointRates, AFeedThatAJointCannotFollowIsAWarning) {
   EXPECT_FALSE(has(joint.err, "machine-rate")) << "the feed does not hold at the tip: " << joint.err;
 }
 
-TEST(JointRates, PathJointsNamesTheWorstTwenty) {
+TEST(JointRates, PathJointsNamesTheWorstOfEqualExcesses) {
   const std::string folder = fresh_folder();
   write_text(folder + "/wave.apt", waving(25));
   const Outcome ran =
       run_gougecheck(folder, {"path", "joints", "wave.apt", "--machine", kTrunnion, "--csv", "joints.csv"});
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
-  EXPECT_TRUE(has(ran.err, "5 more moves exceed the rate of a joint")) << ran.err;
+  EXPECT_TRUE(has(ran.err, "its rate is 1800 deg/min; this is the worst of 25 such feeds")) << ran.err;
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
 }
 
 TEST(PathLaws, LeavesOutOppositeAxesWithAWarning) {
@@ -61,4 +64,4 @@ TEST(PathLaws, LeavesOutOppositeAxesWithAWarning) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::joint_rates_test

@@ -10,7 +10,7 @@
 
 // Limits of the system end in a message and status 5, or are none.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::limits_test {
 namespace {
 
 class Limits : public testing::Test {
@@ -77,4 +77,4 @@ TEST_F(Limits, LittleAddressSpaceEndsInAMessageOrInTheVerdict) {
 #endif
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::limits_test

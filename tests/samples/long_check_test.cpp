@@ -11,7 +11,7 @@
 // A check of a long path, in small: its arrays in files whose pages are released all the time, and in a batch its work
 // kept after every 256 moves, the least there is. GOUGE_PAGED_BYTES: docs/develop/testing.md.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::long_check_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,4 +151,4 @@ TEST(LongCheck, GoesOnWithoutWhereNothingCanBeKept) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::long_check_test

@@ -5,7 +5,7 @@
 
 // gougecheck machine check and machine draw, as a user meets them.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::machine_check_test {
 namespace {
 
 Outcome check(const std::vector<std::string>& more) {
@@ -88,4 +88,4 @@ TEST(MachineDraw, WritesAPicture) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::machine_check_test

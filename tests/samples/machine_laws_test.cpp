@@ -7,7 +7,7 @@
 
 // The laws of all joints, limits and flips, on samples with the verdicts of their formulas.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::machine_laws_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -214,4 +214,4 @@ TEST_F(AxisFlip, IsAWarningWithBothAngles) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::machine_laws_test

@@ -7,7 +7,7 @@
 
 // Laws that admit several motions: `documented` and `any`, and the comparison of laws.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::machine_scopes_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -166,4 +166,4 @@ TEST_F(Scopes, AResultHasTheSameBytesAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::machine_scopes_test

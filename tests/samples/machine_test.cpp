@@ -10,7 +10,7 @@
 
 // Machines: laws of motion, joints and limits, as users see them.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::machine_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -263,4 +263,4 @@ TEST(MachineCommand, AWrongFileIsRefusedWithItsLineAndField) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::machine_test

@@ -7,7 +7,7 @@
 #include "tests/samples/sample_folder.h"
 #include "tests/samples/sealed_result.h"
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::mesh_limits_test {
 namespace {
 
 using nlohmann::json;
@@ -67,4 +67,4 @@ TEST(MeshLimits, AreKeptByTheCorrectedToolpath) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::mesh_limits_test

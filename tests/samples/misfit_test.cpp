@@ -13,7 +13,7 @@
 // A path that plainly does not fit its part: refused by `correct`, reported by `check`, explained where it can
 // be.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::misfit_test {
 namespace {
 
 /// Every GOTO of a file of commas, with one of its numbers negated where it has an axis.
@@ -127,4 +127,4 @@ TEST(Misfit, NoRealPairIsReportedNotToFit) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::misfit_test

@@ -7,7 +7,7 @@
 
 // Files that a run writes, replaces and keeps: docs/formats/report_folder.md.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +124,4 @@ TEST_F(Outputs, AnImportSparesEveryFileOfTheLibrary) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::outputs_test

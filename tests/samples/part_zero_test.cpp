@@ -8,7 +8,7 @@
 
 // The part zero on a machine: motion, limits of linear joints, verification.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::part_zero_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -141,4 +141,4 @@ TEST(PartZeroOfHead, AShiftIsThatOfThePointsOfTheTable) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::part_zero_test

@@ -13,7 +13,7 @@
 
 // `gougecheck path` as a user sees it, on a small file of every dialect and on real files where these are at hand.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::path_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -166,4 +166,4 @@ TEST(PathCommand, CountsTheWaysOfCycles) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::path_command_test

@@ -9,7 +9,7 @@
 
 // gougecheck.json as a user meets it: found, named, outvoted by the command line, refused.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::project_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,4 +229,4 @@ TEST(Project, InitKnowsFilesByTheirNamesInSeveralLanguages) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::project_test

@@ -14,7 +14,7 @@
 #include "tests/samples/sample_folder.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::restricted_space_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -101,4 +101,4 @@ TEST_F(RestrictedSpace, IsNotPassedByTiltsToTheSideAlone) { EXPECT_EQ(tilted("si
 TEST_F(RestrictedSpace, IsNotPassedByTiltsAlongTheFeedAlone) { EXPECT_EQ(tilted("lead").exit_status, 1); }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::restricted_space_test

@@ -7,7 +7,7 @@
 
 // A fixture that reaches into its part, seen by clash, check and correct.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::setup_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -102,4 +102,4 @@ TEST_F(SunkJaw, IsTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::setup_test

@@ -8,7 +8,7 @@
 
 // The head of a report: docs/guide/sign_off.md.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::sign_off_test {
 namespace {
 
 class SignOffOfReport : public testing::Test {
@@ -57,4 +57,4 @@ TEST_F(SignOffOfReport, ADateThatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::sign_off_test

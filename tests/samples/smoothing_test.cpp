@@ -9,7 +9,7 @@
 
 // The tolerances of a control that smooths the path, as users see them.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::smoothing_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -102,4 +102,4 @@ TEST_F(SmoothingTube, WrongTolerancesAreRefused) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::smoothing_test

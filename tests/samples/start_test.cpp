@@ -7,7 +7,7 @@
 
 // Libraries that the program loads.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::start_test {
 namespace {
 
 #if !defined(GOUGE_SANITIZED)  // sanitizers bring libraries of their own
@@ -23,4 +23,4 @@ TEST(Start, LoadsFewLibrariesAndNoneOfThosePicturesAndRanksNeed) {
 #endif
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::start_test

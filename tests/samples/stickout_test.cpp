@@ -10,7 +10,7 @@
 // check --find-stickout on the samples whose holder or head is in the way, proved by checks just below the result and at
 // it with the tool made longer by hand.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::stickout_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -104,4 +104,4 @@ TEST(Stickout, WrongOptionsAreStatus2AndNamed) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::stickout_test

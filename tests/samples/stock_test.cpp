@@ -10,7 +10,7 @@
 
 // Remaining stock, as users see it.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::stock_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -407,4 +407,4 @@ TEST_F(StockSample, OfStockThatIsCutAwayNoMeshIsWritten) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::stock_test

@@ -7,7 +7,7 @@
 
 // Standard output that ends early, is full or closed, and limits of the shell: docs/exit_codes.md.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::streams_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST(Streams, ALimitOfTheShellIsStatus5AndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::streams_test

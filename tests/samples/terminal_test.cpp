@@ -8,7 +8,7 @@
 
 // Output for people: colours, the order and number of findings, quoted statements, versions, help.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::terminal_test {
 namespace {
 
 constexpr const char* kRed = "\x1b[1;31m";
@@ -181,4 +181,4 @@ TEST(Terminal, JobsHaveNoOptionsOfTheTerminal) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::terminal_test

@@ -10,7 +10,7 @@
 
 // correct tilts where a holder collides, as users run it.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::tilt_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -130,4 +130,4 @@ TEST(Tilt, ThatIsNotFoundIsSaidAndLifted) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::tilt_test

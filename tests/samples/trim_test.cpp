@@ -7,7 +7,7 @@
 
 // correct --strategy trim, as users run it.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::trim_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -148,4 +148,4 @@ TEST(Trim, IsTheSameAtAnyNumberOfThreadsAndShownToPeople) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::trim_test

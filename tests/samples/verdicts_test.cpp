@@ -9,7 +9,7 @@
 
 // Every sample gets the verdict its formulas give, move by move.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::verdicts_test {
 namespace {
 
 class Verdicts : public ::testing::TestWithParam<std::string> {};
@@ -89,4 +89,4 @@ TEST_P(Verdicts, AreTheSameBytesAtOneAndTwoThreads) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::verdicts_test

@@ -10,7 +10,7 @@
 
 // gougecheck verify on the results and certificates of the samples, and on what was made of them by hand.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::verify_test {
 namespace {
 
 using nlohmann::json;
@@ -304,4 +304,4 @@ TEST(VerifyCommand, TakesTheOptionsOfTheCheckFromTheResult) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::verify_test

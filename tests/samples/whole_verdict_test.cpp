@@ -11,7 +11,7 @@
 // A verdict is that of the tool, of the heads, against parts and fixtures, from outside and from inside, with its
 // overcut. Whoever gives one and leaves any of these out fails here: each move below is found by one of them alone.
 
-namespace gouge::testing_samples {
+namespace gouge::testing_samples::whole_verdict_test {
 namespace {
 
 constexpr const char* kPath =
@@ -134,4 +134,4 @@ TEST(WholeVerdict, OfCorrectIsThatOfCheckOnTheFileItWrote) {
 }
 
 }  // namespace
-}  // namespace gouge::testing_samples
+}  // namespace gouge::testing_samples::whole_verdict_test

@@ -6,7 +6,7 @@
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::assembly_test {
 namespace {
 
 ToolAssembly held() {
@@ -159,4 +159,4 @@ TEST(Assembly, ExtendedUpIsAsIfItHadNoEnd) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::assembly_test

@@ -10,7 +10,7 @@
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::bsp_test {
 namespace {
 
 using test::Scatter;
@@ -268,4 +268,4 @@ TEST(Bsp, LinesThatMeetFarAwayDropNoElementThatIsNear) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::bsp_test

@@ -11,7 +11,7 @@
 
 // Every shape at points a reader can check with a pocket calculator, and every mistake by its words.
 
-namespace gouge {
+namespace gouge::cutter_shapes_test {
 namespace {
 
 std::string error_of(const Cutter& cutter) {
@@ -262,4 +262,4 @@ TEST(Shapes, NominalSizeIsTheCatalogues) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cutter_shapes_test

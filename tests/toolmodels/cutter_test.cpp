@@ -8,7 +8,7 @@
 
 #include "tests/toolmodels/sample_tools.h"
 
-namespace gouge {
+namespace gouge::cutter_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -154,4 +154,4 @@ TEST(Cutter, NoNumbersWhateverMakeABrokenContour) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cutter_test

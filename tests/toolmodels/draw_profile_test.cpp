@@ -10,7 +10,7 @@
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/trace_regions.h"
 
-namespace gouge {
+namespace gouge::draw_profile_test {
 namespace {
 
 double area(const std::vector<Vec2>& points) {
@@ -155,4 +155,4 @@ TEST(DrawSheet, HoldsEveryToolInARowAndColumnOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::draw_profile_test

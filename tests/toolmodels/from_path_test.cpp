@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::from_path_test {
 namespace {
 
 double top_of(const ToolAssembly& tool) { return make_profile(tool)->elements.back().b.y(); }
@@ -88,4 +88,4 @@ TEST(FromPath, NegativeTaperOfAssumedLengthDoesNotClose) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::from_path_test

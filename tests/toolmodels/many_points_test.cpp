@@ -19,7 +19,7 @@
 // Cutters of many points: traced ones, and ones of many teeth. What they take grows with their points, and what they
 // result is what every element together results.
 
-namespace gouge {
+namespace gouge::many_points_test {
 namespace {
 
 using test::Drawn;
@@ -165,4 +165,4 @@ TEST(ManyPointsRefused, AContourThatCrossesItselfEverywhereIsAnError) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::many_points_test

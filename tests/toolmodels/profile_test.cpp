@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gouge {
+namespace gouge::profile_test {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -104,4 +104,4 @@ TEST(Profile, AnArcThatRunsDownOnTheLeftIsNotSingleValued) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::profile_test

@@ -15,7 +15,7 @@
 // The contract of evaluate.h on random tools of all kinds. GOUGE_PROXIMITY_POINTS=100000000 makes the long
 // run.
 
-namespace gouge {
+namespace gouge::proximity_test {
 namespace {
 
 using test::Scatter;
@@ -186,4 +186,4 @@ TEST(Proximity, TheReferenceKnowsTheSideFarBesideTinySteps) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::proximity_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gouge {
+namespace gouge::silhouette_test {
 namespace {
 
 TEST(Silhouette, ACutterReachesNowhereOutOfItself) {
@@ -38,4 +38,4 @@ TEST(Silhouette, OfACutterWithoutAProfileIsNone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::silhouette_test

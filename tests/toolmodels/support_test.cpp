@@ -14,7 +14,7 @@
 // The contract of SupportRange (lib/tool/compiled_tool.h), by brute force: the soundness of the check rests
 // on it.
 
-namespace gouge {
+namespace gouge::support_test {
 namespace {
 
 using test::Scatter;
@@ -233,4 +233,4 @@ TEST(SupportRange, ContoursThatTurnBackInHeightClaimWhatHolds) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::support_test

@@ -10,7 +10,7 @@
 #include "toolmodels/assembly.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::tilt_sweep_test {
 namespace {
 
 using test::Scatter;
@@ -93,4 +93,4 @@ TEST(SweepTilts, NoTiltReturnsTheBody) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tilt_sweep_test

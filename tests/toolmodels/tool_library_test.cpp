@@ -10,7 +10,7 @@
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::tool_library_test {
 namespace {
 
 constexpr const char* kGood =
@@ -258,4 +258,4 @@ TEST(ToolLibrary, DeepNestingIsNotAProblem) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tool_library_test

@@ -12,7 +12,7 @@
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/elements.h"
 
-namespace gouge {
+namespace gouge::unite_test {
 namespace {
 
 using test::Scatter;
@@ -216,4 +216,4 @@ TEST(ToolVariants, TheCoreIsTheDeepestPointOfTheCutterOnTheAxis) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::unite_test

@@ -12,7 +12,7 @@
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge::detail {
+namespace gouge::detail::voronoi_test {
 namespace {
 
 using test::Scatter;
@@ -233,4 +233,4 @@ TEST(Voronoi, NeighboursShareTheLineBetweenTheirDomains) {
 }
 
 }  // namespace
-}  // namespace gouge::detail
+}  // namespace gouge::detail::voronoi_test

@@ -5,7 +5,7 @@
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::cell_search_test {
 namespace {
 
 TEST(CellSearch, FindsWhatTheTreesFind) {
@@ -39,4 +39,4 @@ TEST(CellSearch, FindsWhatTheTreesFind) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cell_search_test

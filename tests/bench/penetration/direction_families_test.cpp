@@ -5,7 +5,7 @@
 #include "tests/bench/penetration/coulomb.h"
 #include "tests/bench/penetration/direction_families.h"
 
-namespace gouge {
+namespace gouge::direction_families_test {
 namespace {
 
 TEST(Directions, HaveTheAskedNumberOfUnitAxesNoTwoAlike) {
@@ -54,4 +54,4 @@ TEST(Coulomb, SpreadsNoWorseThanTheCubesDirections) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::direction_families_test

@@ -9,7 +9,7 @@
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::near_facets_test {
 namespace {
 
 double distance_to(const DepthBody& body, std::uint32_t place, const Vec3& point) {
@@ -98,4 +98,4 @@ TEST(FacetPlanes, SayNothingOfANeedle) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::near_facets_test

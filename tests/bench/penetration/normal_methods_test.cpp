@@ -7,7 +7,7 @@
 #include "tests/bench/penetration/paraboloid.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::normal_methods_test {
 namespace {
 
 std::vector<VertexOffset> offsets_of(const IndexedMesh& mesh, decltype(&offset_averaged) method) {
@@ -93,4 +93,4 @@ TEST(CollapseDepth, OfACubeIsHalfItsSide) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::normal_methods_test

@@ -4,7 +4,7 @@
 #include "tests/bench/penetration/safe_depth.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::safe_depth_test {
 namespace {
 
 DepthBody body_of(const IndexedMesh& mesh, decltype(&offset_by_planes) normals = &offset_by_planes) {
@@ -91,4 +91,4 @@ TEST(SafeDepth, TheCrossingTestSeesCrossings) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::safe_depth_test

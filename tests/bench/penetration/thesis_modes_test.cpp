@@ -7,7 +7,7 @@
 #include "tests/lib/penetration/depth_error.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::thesis_modes_test {
 namespace {
 
 Error error_of_mode(const IndexedMesh& mesh, double depth_mm, ThesisMode mode) {
@@ -53,4 +53,4 @@ TEST(Bisectors, StandBetweenCoplanarFacesAndAtRightAngles) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::thesis_modes_test

@@ -11,7 +11,7 @@
 
 // Bad input is an Error with its code, not a result.
 
-namespace gougecheck {
+namespace gougecheck::library_errors_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -138,4 +138,4 @@ TEST(LibraryErrors, AReportDoesNotOverwriteItsInputs) {
 }
 
 }  // namespace
-}  // namespace gougecheck
+}  // namespace gougecheck::library_errors_test

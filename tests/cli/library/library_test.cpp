@@ -12,7 +12,7 @@
 
 // The interface for other programs, against results known by hand.
 
-namespace gougecheck {
+namespace gougecheck::library_test {
 namespace {
 
 Tool ball() { return {"ball", {{"diameter", 10}, {"length", 30}}, {{10, 10, 20}}, {{32, 32, 40}}}; }
@@ -319,4 +319,4 @@ TEST(LibraryPenetration, OfTwoCubesTurned) {
 }
 
 }  // namespace
-}  // namespace gougecheck
+}  // namespace gougecheck::library_test

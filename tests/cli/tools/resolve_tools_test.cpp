@@ -7,7 +7,7 @@
 #include "postproc/formats/read_toolpath.h"
 #include "toolmodels/tool_library.h"
 
-namespace gouge {
+namespace gouge::resolve_tools_test {
 namespace {
 
 ToolLibrary library_with_holder() {
@@ -254,4 +254,4 @@ TEST(ResolveTools, AnUnknownHolderIsReportedWithTheHoldersThereAre) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::resolve_tools_test

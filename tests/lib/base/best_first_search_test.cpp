@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace gouge {
+namespace gouge::best_first_search_test {
 namespace {
 
 constexpr double kSlope = 9;
@@ -147,4 +147,4 @@ TEST(SearchGoal, ProvesUpToTheToleranceAndClosesTheGapAboveIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::best_first_search_test

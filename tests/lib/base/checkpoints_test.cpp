@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace gouge {
+namespace gouge::checkpoints_test {
 namespace {
 
 using Chunk = std::pair<std::size_t, std::size_t>;
@@ -108,4 +108,4 @@ TEST(CheckpointStore, ReportsAllOfTheWorkInOrder) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::checkpoints_test

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace gouge {
+namespace gouge::file_kind_test {
 namespace {
 
 std::string kind_of(const std::string& path, const std::string& bytes) {
@@ -56,4 +56,4 @@ TEST(FileKind, OfClDataIsRecognisedByAWordOfItsFirstLines) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::file_kind_test

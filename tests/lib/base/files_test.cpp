@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace gouge {
+namespace gouge::files_test {
 namespace {
 
 TEST(Files, WriteThenReadGivesTheSameBytes) {
@@ -46,4 +46,4 @@ TEST(Files, AFailedWriteLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::files_test

@@ -15,7 +15,7 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 
-namespace gouge {
+namespace gouge::input_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ TEST_F(InputFileTest, StandardInputIsReadOnceUnderItsName) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::input_file_test

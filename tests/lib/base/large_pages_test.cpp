@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace gouge {
+namespace gouge::large_pages_test {
 namespace {
 
 TEST(LargePages, ReservedMemoryIsThereForAllItems) {
@@ -31,4 +31,4 @@ TEST(LargePages, AskingChangesNothingInTheMemoryNorBesideIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::large_pages_test

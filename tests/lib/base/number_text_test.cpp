@@ -7,7 +7,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::number_text_test {
 namespace {
 
 TEST(ParseNumber, TakesWhatCamSystemsWrite) {
@@ -65,4 +65,4 @@ TEST(PeopleText, IsShortHoweverLargeTheNumber) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::number_text_test

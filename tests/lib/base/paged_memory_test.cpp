@@ -13,7 +13,7 @@
 
 #include "lib/base/parallel.h"
 
-namespace gouge {
+namespace gouge::paged_memory_test {
 namespace {
 
 constexpr std::size_t kMegabyte = std::size_t{1} << 20U;
@@ -129,4 +129,4 @@ TEST(PagedMemory, IsPlainWhereThereIsNoRoomForAFile) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::paged_memory_test

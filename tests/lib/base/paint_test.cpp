@@ -4,7 +4,7 @@
 
 #include "tests/support/plain_text.h"
 
-namespace gouge {
+namespace gouge::paint_test {
 namespace {
 
 TEST(Paint, IsAroundTheTextOrNotThere) {
@@ -40,4 +40,4 @@ TEST(DiagnosticText, ALongMessageKeepsItsBeginningAndWhatIsExpected) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::paint_test

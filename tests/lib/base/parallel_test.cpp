@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace gouge {
+namespace gouge::parallel_test {
 namespace {
 
 // How often each of [0, count) was done, and by how many threads.
@@ -91,4 +91,4 @@ TEST(Parallel, WhereNoThreadMayBeginTheCallerDoesAll) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::parallel_test

@@ -4,7 +4,7 @@
 
 #include "lib/base/diagnostic.h"
 
-namespace gouge {
+namespace gouge::printable_text_test {
 namespace {
 
 TEST(Printable, LeavesWhatIsSeenAsItIs) {
@@ -63,4 +63,4 @@ TEST(Diagnostic, IsOneLineWhateverItsNamesHold) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::printable_text_test

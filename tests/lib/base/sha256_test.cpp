@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::sha256_test {
 namespace {
 
 // The examples of FIPS 180-4 and of NIST's page on them; the others are of coreutils' sha256sum.
@@ -26,4 +26,4 @@ TEST(Sha256, PiecesMakeTheHashOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::sha256_test

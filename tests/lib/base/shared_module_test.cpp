@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-namespace gouge {
+namespace gouge::shared_module_test {
 namespace {
 
 TEST(SharedModule, GivesAFunctionOfALibraryOfTheSystem) {
@@ -38,4 +38,4 @@ TEST(SharedModule, NothingIsLoadedWhereItsLibrariesWouldNotFit) {
 #endif
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::shared_module_test

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace gouge {
+namespace gouge::stage_test {
 namespace {
 
 struct Report {
@@ -68,4 +68,4 @@ TEST(Stage, IsSilentWhereNobodyAsks) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::stage_test

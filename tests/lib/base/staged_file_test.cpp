@@ -13,7 +13,7 @@
 #include "lib/base/files.h"
 #include "tests/support/other_user.h"
 
-namespace gouge {
+namespace gouge::staged_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -199,4 +199,4 @@ TEST_F(Staged, ALongNameIsNoTrouble) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::staged_file_test

@@ -9,7 +9,7 @@
 
 // The assumptions that a whole check lists for its verdict.
 
-namespace gouge {
+namespace gouge::assess_test {
 namespace {
 
 // Twenty cuts along a floor at z = 0, `above` it.
@@ -89,4 +89,4 @@ TEST(Assess, FactsOfThePathAndOfTheInputsAreInTheResult) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::assess_test

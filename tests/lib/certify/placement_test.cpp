@@ -5,7 +5,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::placement_test {
 namespace {
 
 Toolpath wide_path() {
@@ -67,4 +67,4 @@ TEST(Placement, ALargerPartCountsOnlyWhereMostCutsAreInItAndAUnitFits) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::placement_test

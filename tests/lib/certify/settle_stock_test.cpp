@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::settle_stock_test {
 namespace {
 
 using paths::upright;
@@ -118,4 +118,4 @@ TEST_F(SettledStock, MaterialThatAHeadTouchedIsOpenForTheTool) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::settle_stock_test

@@ -10,7 +10,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::bounds_test {
 namespace {
 
 using test::Scatter;
@@ -155,4 +155,4 @@ TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::bounds_test

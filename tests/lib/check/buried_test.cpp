@@ -9,7 +9,7 @@
 
 // A move that the meshes do not prove is never clean.
 
-namespace gouge {
+namespace gouge::buried_test {
 namespace {
 
 using paths::through;
@@ -219,4 +219,4 @@ TEST(Buried, ThreadsDoNotChangeAVerdict) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::buried_test

@@ -12,7 +12,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::check_path_test {
 namespace {
 
 using paths::through;
@@ -284,4 +284,4 @@ TEST(CheckPath, TheReversedPathHasTheSameGouges) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::check_path_test

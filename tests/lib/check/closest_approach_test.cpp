@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::closest_approach_test {
 namespace {
 
 using paths::upright;
@@ -99,4 +99,4 @@ TEST(ClosestApproach, OfALongPathSomePositionsAreLookedAtWhateverTheThreads) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::closest_approach_test

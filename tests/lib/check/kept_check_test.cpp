@@ -13,7 +13,7 @@
 // A check whose stretches are kept, taken from an earlier run in part or in whole, states to the bit what one states that
 // knows nothing of stretches: also of events, chains of free points, links and overcuts that cross their borders.
 
-namespace gouge {
+namespace gouge::kept_check_test {
 namespace {
 
 constexpr std::size_t kStretch = 256;  // the least there is: moves share bounds by so many
@@ -139,4 +139,4 @@ TEST_F(CheckpointedCheck, HasAnEventOverABorder) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::kept_check_test

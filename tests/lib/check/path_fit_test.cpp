@@ -11,7 +11,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::path_fit_test {
 namespace {
 
 constexpr double kRadius_mm = 5, kDome_mm = 50;
@@ -221,4 +221,4 @@ TEST(UsualMistakes, UndoneTurnsAreProperAndKeepLengths) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::path_fit_test

@@ -12,7 +12,7 @@
 // A blade or a point of a tool that is nowhere as deep as the tolerance may be anywhere in the part: no move is clean
 // for that.
 
-namespace gouge {
+namespace gouge::reach_test {
 namespace {
 
 using paths::through;
@@ -150,4 +150,4 @@ TEST(Reach, NoCleanMoveOfAnyToolGoesFartherIntoTheSolidThanThreeTimesTheDepthAll
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::reach_test

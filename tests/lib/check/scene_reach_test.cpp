@@ -10,7 +10,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::scene_reach_test {
 namespace {
 
 TEST(SceneReach, NothingOfTheSceneIsFartherFromATip) {
@@ -64,4 +64,4 @@ TEST(ExtendUp, WhatIsAboveTheToolNoLongerHides) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::scene_reach_test

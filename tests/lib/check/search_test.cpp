@@ -13,7 +13,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::search_test {
 namespace {
 
 const CheckOptions kOptions{};
@@ -281,4 +281,4 @@ TEST(Search, AHollowToolOnAPlaneIsDecidedSoonAtTolerance0) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::search_test

@@ -14,7 +14,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::sweep_claims_test {
 namespace {
 
 std::uint64_t cases(std::uint64_t usual) {
@@ -271,4 +271,4 @@ TEST(SweepClaims, WhatIsNotLeftOpenIsSettled) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::sweep_claims_test

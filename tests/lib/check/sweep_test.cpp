@@ -13,7 +13,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::sweep_test {
 namespace {
 
 using test::Scatter;
@@ -247,4 +247,4 @@ TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::sweep_test

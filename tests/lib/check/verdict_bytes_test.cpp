@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace gouge {
+namespace gouge::verdict_bytes_test {
 namespace {
 
 std::string bytes_of(const MoveVerdict& verdict) {
@@ -111,4 +111,4 @@ TEST(VerdictBytes, WhatNoVerdictCanBeIsNotTaken) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::verdict_bytes_test

@@ -10,7 +10,7 @@
 // Where only the verdict on a motion is wanted its check ends with the first point that is too deep. The verdict is that
 // of the check which measures the depth.
 
-namespace gouge {
+namespace gouge::verdict_only_test {
 namespace {
 
 constexpr std::size_t kPoses = 300;
@@ -61,4 +61,4 @@ TEST(VerdictOnly, IsThatOfTheCheckThatMeasures) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::verdict_only_test

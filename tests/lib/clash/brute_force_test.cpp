@@ -14,7 +14,7 @@
 // normals: every distance is the least over all triangles, every side a winding number, every bound the
 // Lipschitz one.
 
-namespace gouge {
+namespace gouge::brute_force_test {
 namespace {
 
 constexpr double kGap_mm = 0.3;
@@ -196,4 +196,4 @@ TEST(LatticeSolids, TouchWhereTheyShareNoCubeAndPenetrateWhereTheyDo) {
 INSTANTIATE_TEST_SUITE_P(Clash, Quarter, testing::Range(0U, 4U));
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::brute_force_test

@@ -8,7 +8,7 @@
 #include "tests/lib/clash/pairs.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::clash_test {
 namespace {
 
 using test::Pair;
@@ -160,4 +160,4 @@ TEST(FreeShift, IsProvedWhateverTheShapes) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::clash_test

@@ -9,7 +9,7 @@
 // Random pairs of bodies whose shells nest, overlap, share faces and face inward, against cells that are counted:
 // depth <= true depth <= depth_upper, and the state is what the common points show.
 
-namespace gouge {
+namespace gouge::nested_shells_test {
 namespace {
 
 struct Placed {
@@ -102,4 +102,4 @@ TEST(NestedShells, OfRandomPairsHaveTheDepthOfCountedCells) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nested_shells_test

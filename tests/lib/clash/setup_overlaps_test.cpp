@@ -4,7 +4,7 @@
 
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::setup_overlaps_test {
 namespace {
 
 const IndexedMesh kBlock = shapes::box(Vec3(0, 0, 0), Vec3(100, 60, 40));
@@ -79,4 +79,4 @@ TEST(SetupOverlaps, AFixtureThatTouchesAWallInsideAPartIsInThePart) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::setup_overlaps_test

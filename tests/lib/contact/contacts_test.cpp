@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::contacts_test {
 namespace {
 
 constexpr CorrectionAim kAim{0.005, 0.005, -0.002};
@@ -91,4 +91,4 @@ TEST(LargestExcess, IsNeverMoreThanTheTruthAndNothingOnlyWhenTheAimIsMet) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::contacts_test

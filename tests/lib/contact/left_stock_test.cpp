@@ -11,7 +11,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::left_stock_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -242,4 +242,4 @@ TEST(LeftStock, HoldsForSamplesOfRandomPaths) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::left_stock_test

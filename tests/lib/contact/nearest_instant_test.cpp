@@ -13,7 +13,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::nearest_instant_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -140,4 +140,4 @@ TEST(CutterSweep, IsNeverNearerThanItSaysWhileItTurnsAndRuns) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nearest_instant_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace gouge {
+namespace gouge::clean_intervals_test {
 namespace {
 
 struct Search {
@@ -62,4 +62,4 @@ TEST(CleanIntervals, NoneIsFoundInAMotionThatGougesAllTheWayAndItCostsLittle) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::clean_intervals_test

@@ -9,7 +9,7 @@
 // Corrections with bodies that move with the tool: a block beside the spindle, 100 mm above the tip, and a
 // post 130 mm high that it runs into.
 
-namespace gouge {
+namespace gouge::correct_heads_test {
 namespace {
 
 using paths::upright;
@@ -117,4 +117,4 @@ TEST(CorrectHeads, ThatAreFreeChangeNothing) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::correct_heads_test

@@ -10,7 +10,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::correct_path_test {
 namespace {
 
 using paths::upright;
@@ -385,4 +385,4 @@ TEST(CorrectPath, CutsNothingNewOnAMoveThatStaysAGouge) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::correct_path_test

@@ -8,7 +8,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::correct_pose_test {
 namespace {
 
 constexpr double kAim_mm = 0.005;
@@ -197,4 +197,4 @@ TEST(Strategies, HaveTheNamesOfTheCommandLine) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::correct_pose_test

@@ -14,7 +14,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::correct_stock_test {
 namespace {
 
 using block::kFeed;
@@ -366,4 +366,4 @@ TEST(CorrectStock, NoMoveOfRandomProgramsBecomesWorseAndChangedOnesAreCleanOrLis
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::correct_stock_test

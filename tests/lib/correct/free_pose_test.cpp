@@ -8,7 +8,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::free_pose_test {
 namespace {
 
 using paths::upright;
@@ -98,4 +98,4 @@ TEST(FreePose, ASidewaysWayOutBeyondTheLimitGivesWayToALift) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::free_pose_test

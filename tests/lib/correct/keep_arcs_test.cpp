@@ -13,7 +13,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::keep_arcs_test {
 namespace {
 
 using paths::upright;
@@ -216,4 +216,4 @@ TEST(KeepArcs, ACircleTakesTheRadiusThatItsDeepestPlaceAsksFor) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::keep_arcs_test

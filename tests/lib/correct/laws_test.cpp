@@ -4,7 +4,7 @@
 
 #include "tests/support/paths.h"
 
-namespace gouge {
+namespace gouge::laws_test {
 namespace {
 
 constexpr double kResolution_mm = 0.001;
@@ -125,4 +125,4 @@ TEST(Laws, AnotherNumberOfMovesIsWorseEverywhere) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::laws_test

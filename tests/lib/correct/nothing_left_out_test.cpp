@@ -10,7 +10,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::nothing_left_out_test {
 namespace {
 
 using paths::upright;
@@ -126,4 +126,4 @@ TEST(NothingLeftOut, OfASingleMotion) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nothing_left_out_test

@@ -8,7 +8,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::plan_holes_test {
 namespace {
 
 using paths::upright;
@@ -122,4 +122,4 @@ TEST(PlanHoles, ACrossingThroughAWallBetweenTwoHolesIsListedWithItsReason) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::plan_holes_test

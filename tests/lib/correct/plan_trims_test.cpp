@@ -15,7 +15,7 @@
 // 12 mm beside it from y = -30 to 30, as high as a test states. The holder, 16 mm of radius, is in the wall from y = -30
 // - sqrt(16^2 - 12^2) = -40.583 on.
 
-namespace gouge {
+namespace gouge::plan_trims_test {
 namespace {
 
 using paths::upright;
@@ -304,4 +304,4 @@ TEST(PlanTrims, DoglegsAreCrossedAsDoglegs) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::plan_trims_test

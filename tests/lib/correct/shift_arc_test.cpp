@@ -13,7 +13,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::shift_arc_test {
 namespace {
 
 using paths::upright;
@@ -129,4 +129,4 @@ TEST(ShiftArc, NothingWhereEndsPartOrOneSideAloneIsTooDeep) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::shift_arc_test

@@ -12,7 +12,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::straighten_test {
 namespace {
 
 using paths::through;
@@ -127,4 +127,4 @@ TEST(Straighten, TheRestOfTheArcStaysOnIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::straighten_test

@@ -11,7 +11,7 @@
 
 // A holder of 32 mm beside a wall 12 mm from a ball cutter of 10 mm, on a floor at z = 0.
 
-namespace gouge {
+namespace gouge::tilt_path_test {
 namespace {
 
 using paths::upright;
@@ -82,4 +82,4 @@ TEST(TiltPath, LeavesWhatIsFarFromTheCollisionAsItIs) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tilt_path_test

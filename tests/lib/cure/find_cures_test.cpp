@@ -11,7 +11,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::find_cures_test {
 namespace {
 
 using paths::upright;
@@ -101,4 +101,4 @@ TEST(FindCures, AreTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::find_cures_test

@@ -14,7 +14,7 @@
 
 // A holder D32 that begins 50 mm above the tip of a ball cutter D10.
 
-namespace gouge {
+namespace gouge::find_lift_test {
 namespace {
 
 using paths::upright;
@@ -178,4 +178,4 @@ TEST(FindLift, IsTheLeastOfAllLiftsOneAfterTheOther) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::find_lift_test

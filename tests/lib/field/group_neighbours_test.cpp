@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::group_neighbours_test {
 namespace {
 
 struct Counted {
@@ -43,4 +43,4 @@ TEST(GroupNeighbours, StandForEachBodyOnce) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::group_neighbours_test

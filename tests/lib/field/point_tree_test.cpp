@@ -9,7 +9,7 @@
 
 #include "lib/field/point_depths.h"
 
-namespace gouge {
+namespace gouge::point_tree_test {
 namespace {
 
 /// Points of a wavy surface, some of them twice.
@@ -195,4 +195,4 @@ TEST(AnyDepth, MissesNoBallThatReachesIntoABody) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::point_tree_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::point_triangle_test {
 namespace {
 
 /// A hundred digits: exact far beyond what is needed, also for triangles a millionth of a nanometre wide.
@@ -105,4 +105,4 @@ TEST(PointTriangle, OfATriangleWithoutAreaIsOnItsEdgesAndOfOneWithoutExtentItsCo
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::point_triangle_test

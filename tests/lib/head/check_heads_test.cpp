@@ -15,7 +15,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::check_heads_test {
 namespace {
 
 /// A block beside the spindle, 100 mm above the tip.
@@ -234,4 +234,4 @@ TEST(Heads, AFaceThatSlidesAlongAFaceTakesFewBounds) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::check_heads_test

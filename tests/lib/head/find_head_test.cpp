@@ -3,7 +3,7 @@
 #include "lib/head/find_head.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::find_head_test {
 namespace {
 
 const std::vector<HeadBody> kHeads = {*build_head_body(shapes::box(Vec3(60, -20, 100), Vec3(120, 20, 160))),
@@ -28,4 +28,4 @@ TEST(FindHead, ABuriedCoreIsInAPartOrAFixture) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::find_head_test

@@ -19,7 +19,7 @@
 // far from the origin. GOUGE_HEAD_MOTIONS sets how many motions each case gets (short by default), GOUGE_HEAD_SAMPLES
 // at how many points of the part each is sampled, GOUGE_HEAD_CELLS how many cells its search gets.
 
-namespace gouge {
+namespace gouge::head_guarantee_test {
 namespace {
 
 using test::heads_around_the_axis;
@@ -303,4 +303,4 @@ TEST(HeadGuarantee, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::head_guarantee_test

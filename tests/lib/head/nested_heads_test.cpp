@@ -10,7 +10,7 @@
 
 // Heads whose shells nest, overlap, share faces and face inward, against cells that are counted.
 
-namespace gouge {
+namespace gouge::nested_heads_test {
 namespace {
 
 constexpr double kScale = 3;
@@ -89,4 +89,4 @@ TEST(NestedHeads, HaveACoreInEachConnectedPart) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nested_heads_test

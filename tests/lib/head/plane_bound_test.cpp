@@ -10,7 +10,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::plane_bound_test {
 namespace {
 
 using test::Scatter;
@@ -138,4 +138,4 @@ TEST(PlaneBound, IsExactUnderAFace) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::plane_bound_test

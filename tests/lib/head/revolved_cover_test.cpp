@@ -9,7 +9,7 @@
 #include "tests/support/revolved_heads.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::revolved_cover_test {
 namespace {
 
 /// How many of the claims spoke, so that a cover that never claims anything is seen.
@@ -118,4 +118,4 @@ TEST(RevolvedCover, ClaimsNothingOfWhatIsBesideTheAxis) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::revolved_cover_test

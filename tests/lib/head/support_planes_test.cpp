@@ -11,7 +11,7 @@
 #include "tests/support/revolved_heads.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::support_planes_test {
 namespace {
 
 std::vector<IndexedMesh> heads() {
@@ -84,4 +84,4 @@ TEST(SupportPlanes, BoundTheDepthOfPiecesThatMove) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::support_planes_test

@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/verify_block_tree.h"
 
-namespace gouge {
+namespace gouge::block_tree_test {
 namespace {
 
 IndexedMesh random_soup(std::size_t triangles, unsigned seed) {
@@ -95,4 +95,4 @@ TEST(BlockTree, TheNumberOfThreadsChangesNothing) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::block_tree_test

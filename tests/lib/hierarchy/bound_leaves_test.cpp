@@ -7,7 +7,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge::detail {
+namespace gouge::detail::bound_leaves_test {
 namespace {
 
 /// Leaves about a plane, the last one with `last_count` triangles.
@@ -89,4 +89,4 @@ TEST(BoundLeaves, TheSumOfAreasLeavesOutLanesThatAreNotInUse) {
 }
 
 }  // namespace
-}  // namespace gouge::detail
+}  // namespace gouge::detail::bound_leaves_test

@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::closest_triangle_test {
 namespace {
 
 IndexedMesh moved(IndexedMesh mesh, double scale, const Vec3& by) {
@@ -259,4 +259,4 @@ TEST(LaneBound, HoldsEverythingBelow) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::closest_triangle_test

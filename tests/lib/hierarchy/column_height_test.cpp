@@ -5,7 +5,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::column_height_test {
 namespace {
 
 std::optional<double> highest(const std::vector<IndexedMesh>& meshes, const Column& column, double enough) {
@@ -79,4 +79,4 @@ TEST(ColumnHeight, IsExceededByNoPointOfTheSurface) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::column_height_test

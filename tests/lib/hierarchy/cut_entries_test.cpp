@@ -8,7 +8,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge::detail {
+namespace gouge::detail::cut_entries_test {
 namespace {
 
 std::vector<Entry> random_entries(std::size_t count, unsigned seed, int places) {
@@ -92,4 +92,4 @@ TEST(CutEntries, TheWidestAxisIsCut) {
 }
 
 }  // namespace
-}  // namespace gouge::detail
+}  // namespace gouge::detail::cut_entries_test

@@ -7,7 +7,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::sight_test {
 namespace {
 
 /// How surely the ray meets a triangle: the least of its shares of the corners where it meets the plane, and of the way
@@ -50,4 +50,4 @@ TEST(Sight, IsBlockedByWhatARayMeets) {
 TEST(Sight, IsFreeWithoutTriangles) { EXPECT_FALSE(is_hidden(BlockTree{}, Vec3::Zero(), Vec3::UnitZ(), 0)); }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::sight_test

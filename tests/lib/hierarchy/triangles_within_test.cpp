@@ -8,7 +8,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::triangles_within_test {
 namespace {
 
 using test::Scatter;
@@ -132,4 +132,4 @@ TEST(TrianglesWithin, MissesNoneFarAwayInATreeOfVeryDifferentSizes) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::triangles_within_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::json_field_test {
 namespace {
 
 const char* const kText = "{\n\"name\": \"a\",\n\"list\": [1,\n-2.5],\n\"nothing\": null,\n\"yes\": true\n}\n";
@@ -53,4 +53,4 @@ TEST(JsonField, TheFirstErrorStays) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::json_field_test

@@ -7,7 +7,7 @@
 
 #include "toolmodels/tool_library.h"
 
-namespace gouge {
+namespace gouge::json_file_test {
 namespace {
 
 std::string repeated(const std::string& piece, std::size_t times) {
@@ -106,4 +106,4 @@ TEST(JsonFile, NamesTheUsualMistakes) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::json_file_test

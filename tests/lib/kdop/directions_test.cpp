@@ -7,7 +7,7 @@
 #include "lib/kdop/kdop_corners.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::directions_test {
 namespace {
 
 std::vector<Vec3> cloud(std::size_t count, std::uint64_t seed) {
@@ -97,4 +97,4 @@ TEST(KdopCorners, TurnedAreNoTighterThanThePointsAndLooseByAFewPercentWithManyDi
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::directions_test

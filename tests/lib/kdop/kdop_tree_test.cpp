@@ -4,7 +4,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/verify_kdop_tree.h"
 
-namespace gouge {
+namespace gouge::kdop_tree_test {
 namespace {
 
 std::vector<Vec3> points_of(std::size_t count) {
@@ -78,4 +78,4 @@ TEST(Intervals, OverlapOnlyWhenTheyMeetAlongEveryAxis) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::kdop_tree_test

@@ -11,7 +11,7 @@
 
 // Drawings of machines: nothing is left out, and nothing leaves the sheet.
 
-namespace gouge {
+namespace gouge::draw_machine_test {
 namespace {
 
 std::vector<Vec2> points_of(const Drawing& drawing) {
@@ -97,4 +97,4 @@ TEST(IsoView, ATurnFollowsTheRightHandRule) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::draw_machine_test

@@ -15,7 +15,7 @@
 
 // All joints of a machine run, together or each at its own rate, against matrices of the test's own.
 
-namespace gouge {
+namespace gouge::joint_law_test {
 namespace {
 
 constexpr double kLength_mm = 80;
@@ -273,4 +273,4 @@ TEST(JointLaw, ATableKeepsAPointThatTurnsWithItInReach) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::joint_law_test

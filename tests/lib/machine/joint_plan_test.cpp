@@ -9,7 +9,7 @@
 #include "tests/lib/machine/machines.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::joint_plan_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -145,4 +145,4 @@ TEST(JointPlan, HasNoMoreBreaksThanTheBestOfAllChoices) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::joint_plan_test

@@ -11,7 +11,7 @@
 
 // Rates of rotary joints at the programmed feed, against the time of each move.
 
-namespace gouge {
+namespace gouge::joint_rates_test {
 namespace {
 
 Pose leaning(double x, double degrees) {
@@ -79,4 +79,4 @@ TEST(JointRates, NothingIsSaidWithoutAFeedARateOrAWay) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::joint_rates_test

@@ -10,7 +10,7 @@
 
 // Forward kinematics beside an implementation of others: Orocos KDL. GOUGE_MACHINE_POSES sets how many poses.
 
-namespace gouge {
+namespace gouge::kdl_test {
 namespace {
 
 KDL::Vector vector_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -60,4 +60,4 @@ TEST(Kinematics, ForwardIsThatOfOrocosKdl) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::kdl_test

@@ -11,7 +11,7 @@
 
 // Forward and inverse kinematics of every arrangement, at poles too.
 
-namespace gouge {
+namespace gouge::kinematics_test {
 namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
@@ -177,4 +177,4 @@ TEST(JointPath, ALimitIsNamedWithItsJoint) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::kinematics_test

@@ -9,7 +9,7 @@
 
 // Facts that laws need, doubts about machines, and the tool axes that machines reach.
 
-namespace gouge {
+namespace gouge::law_facts_test {
 namespace {
 
 using Kind = MissingFact::Kind;
@@ -89,4 +89,4 @@ TEST(LawFacts, TheReachFollowsFromTheArrangementAndTheLimits) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::law_facts_test

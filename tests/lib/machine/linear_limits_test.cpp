@@ -6,7 +6,7 @@
 
 // Limits of linear joints at the positions of a path, on a machine with a part zero.
 
-namespace gouge {
+namespace gouge::linear_limits_test {
 namespace {
 
 constexpr std::size_t kTrunnion = 0, kTableHead = 2;
@@ -63,4 +63,4 @@ TEST(LinearLimits, AJointThatDependsOnTheToolLengthNeedsIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::linear_limits_test

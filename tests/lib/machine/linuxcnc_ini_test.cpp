@@ -4,12 +4,13 @@
 
 #include <cmath>
 
+#include "lib/base/units.h"
 #include "lib/machine/kinematics.h"
 #include "tests/support/scatter.h"
 
 // Configurations of LinuxCNC against the formulas of its forward kinematics (src/emc/kinematics/trtfuncs.c).
 
-namespace gouge {
+namespace gouge::linuxcnc_ini_test {
 namespace {
 
 std::string configuration(const std::string& kinematics, int conventional) {
@@ -67,6 +68,23 @@ TEST(LinuxCncIni, WarnsOfAxesWithoutTheirSection) {
   EXPECT_TRUE(describe_missing_axes(stated, "a.ini").empty());
 }
 
+TEST(LinuxCncIni, TakesTheNarrowerLimitsOfAxisAndJoint) {
+  std::string bytes = configuration("xyzbc-trt-kins", 0) +
+                      "[AXIS_B]\nMIN_LIMIT = -36000\nMAX_LIMIT = 40\nMAX_VELOCITY = 30\n"
+                      "[JOINT_3]\nMIN_LIMIT = -100\nMAX_LIMIT = 50\nMAX_VELOCITY = 20\n[JOINT_4]\nMIN_LIMIT = -720\n";
+  const auto degrees = [](const std::optional<double>& rad) { return rad.value() / kDegree_rad; };
+  const Machine machine = read_linuxcnc_ini("a.ini", bytes).value();
+  ASSERT_EQ(machine.joints[1].name, "B");
+  EXPECT_NEAR(degrees(machine.joints[1].min), -100, 1e-9);
+  EXPECT_NEAR(degrees(machine.joints[1].max), 40, 1e-9);
+  EXPECT_NEAR(degrees(machine.joints[1].rate), 20 * 60, 1e-9);
+  EXPECT_NEAR(degrees(machine.joints[0].min), -720, 1e-9) << "C is the fifth of XYZBC";
+  const std::string stated = "KINEMATICS = xyzbc-trt-kins";
+  bytes.insert(bytes.find(stated) + stated.size(), " coordinates=XYZCB");
+  const Machine other = read_linuxcnc_ini("a.ini", bytes).value();
+  EXPECT_NEAR(degrees(other.joints[0].min), -100, 1e-9) << "now joint 3 is C";
+}
+
 TEST(LinuxCncIni, RefusesWhatItDoesNotKnow) {
   const std::string good = configuration("xyzac-trt-kins", 0);
   const struct {
@@ -109,4 +127,4 @@ TEST(LinuxcncIni, NamesSettingsThatProgramsAreNotReadBy) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::linuxcnc_ini_test

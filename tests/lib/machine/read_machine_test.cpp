@@ -4,7 +4,7 @@
 
 // Machine files, and what is refused in them.
 
-namespace gouge {
+namespace gouge::read_machine_test {
 namespace {
 
 std::string trunnion() {
@@ -89,4 +89,4 @@ TEST(ReadMachine, RefusesValuesThatNoMachineHas) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::read_machine_test

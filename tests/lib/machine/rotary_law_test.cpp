@@ -9,7 +9,7 @@
 
 // The path of the tool axis of two rotary joints, against the machine's own formula.
 
-namespace gouge {
+namespace gouge::rotary_law_test {
 namespace {
 
 /// A path of one move with these angles at its ends.
@@ -91,4 +91,4 @@ TEST(LargestGap, OfAQuarterTurnAtThirtyDegreesIsItsFormula) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::rotary_law_test

@@ -12,7 +12,7 @@
 // The bound of the tip for intervals of points and of the tool length, against random true values at dense instants.
 // GOUGE_SLACK_MOVES sets the number of moves of each machine by each law.
 
-namespace gouge {
+namespace gouge::tip_slack_test {
 namespace {
 
 using test::MachineReference;
@@ -142,4 +142,4 @@ TEST(TipSlack, IsZeroWithoutIntervalsAndUnboundedForSplitLinearJoints) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tip_slack_test

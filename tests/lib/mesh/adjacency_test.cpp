@@ -7,7 +7,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::adjacency_test {
 namespace {
 
 TEST(Adjacency, ACubeHasEighteenEdgesEachWithTwoOppositeUses) {
@@ -88,4 +88,4 @@ TEST(VertexTriangles, FindTheTrianglesOfAnEdgeFromEitherEnd) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::adjacency_test

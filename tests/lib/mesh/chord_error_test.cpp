@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace gouge {
+namespace gouge::chord_error_test {
 namespace {
 
 /// A part of a cylinder of `facets` flat strips along Y, each of two triangles, over `angle` of a circle of radius 50.
@@ -56,4 +56,4 @@ TEST(ChordError, CountsTrianglesByTheirIndexInTheFile) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::chord_error_test

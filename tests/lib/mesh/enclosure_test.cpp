@@ -9,7 +9,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::enclosure_test {
 namespace {
 
 Side side_in(const std::vector<IndexedMesh>& meshes, const Vec3& point) {
@@ -187,4 +187,4 @@ TEST(EdgeFaults, FilesThatFitTogetherHaveNone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::enclosure_test

@@ -5,7 +5,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::join_vertices_test {
 namespace {
 
 /// Every triangle with corners of its own, each moved by up to `off` along each axis.
@@ -83,4 +83,4 @@ TEST(JoinNearVertices, WhatCollapsesWhollyIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::join_vertices_test

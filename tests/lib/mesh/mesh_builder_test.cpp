@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
-namespace gouge {
+namespace gouge::mesh_builder_test {
 namespace {
 
 TriangleSoup soup_of(std::vector<std::array<Vec3, 3>> triangles) {
@@ -101,4 +101,4 @@ TEST(MeshBuilder, CoordinatesOfAPlanetAreAnError) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::mesh_builder_test

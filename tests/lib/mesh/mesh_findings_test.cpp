@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
-namespace gouge {
+namespace gouge::mesh_findings_test {
 namespace {
 
 TEST(MeshFindings, ACubeIsASolid) {
@@ -150,8 +150,9 @@ TEST(MeshFindings, ThousandInwardPiecesAreCountedQuickly) {
 TEST(MeshFindings, LoadingNamesTheFileThatIsMissing) {
   const auto loaded = load_mesh("/no/such/part.stl");
   ASSERT_FALSE(loaded.has_value());
-  EXPECT_EQ(to_text(loaded.error()), "/no/such/part.stl: error: no such file [file-not-found]");
+  EXPECT_EQ(to_text(loaded.error()),
+            "/no/such/part.stl: error: no such file; the folder /no/such does not exist [file-not-found]");
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::mesh_findings_test

@@ -10,7 +10,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::opposite_half_edges_test {
 namespace {
 
 std::string text(const MeshSpot& spot) {
@@ -121,4 +121,4 @@ TEST(OppositeHalfEdges, FourTrianglesAtAnEdgeHaveNone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::opposite_half_edges_test

@@ -5,7 +5,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
-namespace gouge {
+namespace gouge::read_ascii_stl_test {
 namespace {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -193,4 +193,4 @@ TEST(ReadAsciiStl, MissingEndsolidIsAWarning) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::read_ascii_stl_test

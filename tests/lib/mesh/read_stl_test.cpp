@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
-namespace gouge {
+namespace gouge::read_stl_test {
 namespace {
 
 const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0.5F};
@@ -232,4 +232,4 @@ TEST(ReadStl, ReadsTwoMillionBinaryTriangles) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::read_stl_test

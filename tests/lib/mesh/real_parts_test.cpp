@@ -11,7 +11,7 @@
 
 // Parts other people's systems wrote, kept beside the project, not in it. Skipped where they are absent.
 
-namespace gouge {
+namespace gouge::real_parts_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST(RealParts, OddHeadersAreRead) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::real_parts_test

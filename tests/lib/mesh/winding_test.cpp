@@ -6,7 +6,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::winding_test {
 namespace {
 
 TEST(Winding, OneInsideZeroOutside) {
@@ -63,4 +63,4 @@ TEST(Winding, TheOctantSeenFromTheOriginIsAnEighthOfTheSphere) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::winding_test

@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
-namespace gouge {
+namespace gouge::write_stl_test {
 namespace {
 
 TEST(WriteStl, WhatIsWrittenReadsBackTheSame) {
@@ -38,4 +38,4 @@ TEST(WriteStl, NormalsPointOutwardAndATriangleWithoutAreaHasNone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::write_stl_test

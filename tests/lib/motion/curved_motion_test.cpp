@@ -9,7 +9,7 @@
 #include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::curved_motion_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -132,4 +132,4 @@ TEST(CurvedMotion, NoPathBulgesFurtherFromItsChordThanStated) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::curved_motion_test

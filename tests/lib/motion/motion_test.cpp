@@ -8,7 +8,7 @@
 #include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::motion_test {
 namespace {
 
 TEST(Motion, EndsAreTheGivenPosesBitForBit) {
@@ -93,4 +93,4 @@ TEST(ToolInterval, NoPathBulgesFurtherFromItsChordThanStated) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::motion_test

@@ -5,7 +5,7 @@
 #include "lib/offset/vertex_offsets.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::vertex_offsets_test {
 namespace {
 
 std::vector<VertexOffset> offsets_of(const IndexedMesh& mesh) { return offset_by_planes(mesh, MeshAdjacency(mesh)); }
@@ -47,4 +47,4 @@ TEST(OffsetOfPlanes, KeepsEveryFaceAtTheDistanceAskedForWhereThePlanesMeet) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::vertex_offsets_test

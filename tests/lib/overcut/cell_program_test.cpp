@@ -6,7 +6,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::cell_program_test {
 namespace {
 
 Vec4 random_vector(test::Scatter& random) {
@@ -100,4 +100,4 @@ TEST(CellProgram, IsNeverBelowAnyPoint) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cell_program_test

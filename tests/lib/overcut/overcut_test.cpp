@@ -11,7 +11,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::overcut_test {
 namespace {
 
 CheckResult check(const std::vector<Pose>& poses, const ToolVariants& tool, const IndexedMesh& part) {
@@ -205,4 +205,4 @@ TEST(Overcut, IsBracketedByASampledReference) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::overcut_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::assumption_test {
 namespace {
 
 Assumption fact(Subject subject, Basis basis, std::string object = {}) {
@@ -67,4 +67,4 @@ TEST(Assumption, TheLineOfAllFactsCountsThoseBeyondTheFourthOfASubject) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::assumption_test

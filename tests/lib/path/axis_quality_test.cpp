@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gouge {
+namespace gouge::axis_quality_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -128,4 +128,4 @@ TEST(FeedTime, IsLengthByFeedAndNoFasterThanTheRotaryLimit) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::axis_quality_test

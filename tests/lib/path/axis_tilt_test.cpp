@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gouge {
+namespace gouge::axis_tilt_test {
 namespace {
 
 Vec3 leaning(double angle_rad) { return {std::sin(angle_rad), 0, std::cos(angle_rad)}; }
@@ -200,4 +200,4 @@ TEST(ProgrammedAxis, OfAPositionOnAnArcGoesByTheArc) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::axis_tilt_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::curve_test {
 namespace {
 
 // The value of the B-spline by its definition: the basis functions of Cox and de Boor, one by one.
@@ -94,4 +94,4 @@ TEST(Lengths, OfAHelixAndOfAStraightSplineAreThoseOfTheBooks) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::curve_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::cycle_time_test {
 namespace {
 
 Move move_to(double x, const Feed& feed, MoveKind kind = MoveKind::feed, std::size_t operation = 0) {
@@ -62,4 +62,4 @@ TEST(CycleTime, CountsMovesWhoseTimeIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cycle_time_test

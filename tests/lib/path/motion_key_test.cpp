@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gouge {
+namespace gouge::motion_key_test {
 namespace {
 
 Toolpath straight_path() {
@@ -60,4 +60,4 @@ TEST(MotionKey, SeesTheCurve) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::motion_key_test

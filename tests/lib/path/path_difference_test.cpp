@@ -4,7 +4,7 @@
 
 #include "tests/support/paths.h"
 
-namespace gouge {
+namespace gouge::path_difference_test {
 namespace {
 
 constexpr double kHeight_mm = 100;
@@ -76,4 +76,4 @@ TEST(PathDifference, FindsNoOtherFeedInItsOwnCopy) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::path_difference_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gouge {
+namespace gouge::path_info_test {
 namespace {
 
 Move move_to(MoveKind kind, Vec3 tip, Vec3 axis, bool has_start = true) {
@@ -66,4 +66,4 @@ TEST(KindName, IsAWordOfTheReports) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::path_info_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/paths.h"
 
-namespace gouge {
+namespace gouge::place_path_test {
 namespace {
 
 TEST(PlacePath, PositionsAxesAndCurvesMoveTogether) {
@@ -25,4 +25,4 @@ TEST(PlacePath, PositionsAxesAndCurvesMoveTogether) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::place_path_test

@@ -21,7 +21,7 @@
 // method. GOUGE_PENETRATION_POINTS sets how many points there are in all (short by default). Every point is
 // tested in 9 of the 81 settings, every setting sees its share; with GOUGE_PENETRATION_ALL=1 in all of them.
 
-namespace gouge {
+namespace gouge::brute_force_agrees_test {
 namespace {
 
 const std::string kParts = source_folder() + "/../shared/data/parts/";
@@ -177,4 +177,4 @@ TEST(BruteForce, AgreesOnRealParts) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::brute_force_agrees_test

@@ -8,7 +8,7 @@
 #include "lib/penetration/find_penetration.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::correction_test {
 namespace {
 
 /// A circle against lines {x : n . x = 0}, free where n . x >= 0: figure 35.
@@ -135,4 +135,4 @@ TEST(Correction, FreesNonConvexBodiesInFourToEightIterations) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::correction_test

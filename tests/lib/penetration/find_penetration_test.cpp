@@ -8,7 +8,7 @@
 #include "tests/support/solids.h"
 #include "tests/support/verify_kdop_tree.h"
 
-namespace gouge {
+namespace gouge::find_penetration_test {
 namespace {
 
 DepthBody cube_body(double depth = 2) {
@@ -159,4 +159,4 @@ TEST(DepthBody, OfAFacetAcrossADirectionHasThickness) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::find_penetration_test

@@ -6,7 +6,7 @@
 #include "tests/lib/penetration/depth_error.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::narrow_phase_test {
 namespace {
 
 TEST(NarrowPhase, MissesNothingAndFindsNothingFalse) {
@@ -28,4 +28,4 @@ TEST(NarrowPhase, MissesNothingAndFindsNothingFalse) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::narrow_phase_test

@@ -5,7 +5,7 @@
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::surface_points_test {
 namespace {
 
 TEST(SurfacePoints, LeaveNoPointOfTheSurfaceFartherThanTheSpacing) {
@@ -47,4 +47,4 @@ TEST(SurfacePoints, FindASpikeThatPiercesAFaceWhereVerticesAloneDoNot) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::surface_points_test

@@ -12,7 +12,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::remaining_stock_test {
 namespace {
 
 using paths::upright;
@@ -193,4 +193,4 @@ TEST(RemainingStock, TheOuterMeshIsTheStockOfTheNextSetUp) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::remaining_stock_test

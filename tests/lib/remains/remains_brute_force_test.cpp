@@ -14,7 +14,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::remains_brute_force_test {
 namespace {
 
 constexpr int kInstants = 60;
@@ -99,4 +99,4 @@ TEST(RemainsBruteForce, EveryPointThatIsLeftIsInTheOuterMeshAndNoOtherPointIsInT
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::remains_brute_force_test

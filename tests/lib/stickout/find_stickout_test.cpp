@@ -12,7 +12,7 @@
 #include "toolmodels/assembly.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::find_stickout_test {
 namespace {
 
 using test::Scatter;
@@ -204,4 +204,4 @@ TEST(FindStickout, IsTheLeastOfAllForToolsThatGetWiderUpwards) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::find_stickout_test

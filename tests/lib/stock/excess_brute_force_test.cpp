@@ -11,7 +11,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::excess_brute_force_test {
 namespace {
 
 constexpr int kInstants = 60, kHeights = 40;
@@ -175,4 +175,4 @@ TEST(ExcessBruteForce, NoColumnIsHigherThanItsBound) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::excess_brute_force_test

@@ -10,7 +10,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::excess_test {
 namespace {
 
 using block::kFeed;
@@ -218,4 +218,4 @@ TEST(Excess, AnOpenPartIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::excess_test

@@ -10,7 +10,7 @@
 #include "tests/lib/stock/block.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::head_brute_force_test {
 namespace {
 
 constexpr int kInstants = 60;
@@ -148,4 +148,4 @@ TEST(HeadBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::head_brute_force_test

@@ -11,7 +11,7 @@
 #include "tests/lib/stock/block.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::head_forms_test {
 namespace {
 
 constexpr double kTolerance_mm = 0.1, kResolution_mm = 0.05;
@@ -248,4 +248,4 @@ TEST(CylindersAround, ContainTheMesh) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::head_forms_test

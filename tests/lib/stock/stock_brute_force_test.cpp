@@ -11,7 +11,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::stock_brute_force_test {
 namespace {
 
 constexpr int kInstants = 60;
@@ -123,4 +123,4 @@ TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::stock_brute_force_test

@@ -7,7 +7,7 @@
 #include "tests/lib/stock/block.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::stock_forms_test {
 namespace {
 
 using block::append;
@@ -217,4 +217,4 @@ TEST_F(TwoPrograms, AnUnknownMotionOfTheFirstLeavesTheSecondOpen) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::stock_forms_test

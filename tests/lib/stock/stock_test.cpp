@@ -7,7 +7,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::stock_test {
 namespace {
 
 constexpr double kTolerance_mm = 0.1, kResolution_mm = 0.05;
@@ -289,4 +289,4 @@ TEST(StockSolid, OnlyAMeshThatFillsItsBoxIsTheBox) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::stock_test

@@ -7,7 +7,7 @@
 #include "tests/support/lattice_boxes.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::solid_boundary_test {
 namespace {
 
 IndexedMesh turned(IndexedMesh mesh, const Eigen::Matrix3d& by) {
@@ -156,4 +156,4 @@ TEST(Surface, WindsAroundAPointWhateverEdgesARayMeets) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::solid_boundary_test

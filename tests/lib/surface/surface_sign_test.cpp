@@ -7,7 +7,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::surface_sign_test {
 namespace {
 
 /// All normals in tables, from a full adjacency.
@@ -82,4 +82,4 @@ TEST(SurfaceSign, IsToTheLastBitThatOfTablesOfAllNormals) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::surface_sign_test

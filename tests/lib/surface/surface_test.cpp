@@ -7,7 +7,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::surface_test {
 namespace {
 
 TEST(Surface, TellsTheSideOfAPointAsTheWindingNumberDoes) {
@@ -57,4 +57,4 @@ TEST(Surface, OfATreeThatIsThereUsesIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::surface_test

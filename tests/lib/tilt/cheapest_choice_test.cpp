@@ -7,7 +7,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::cheapest_choice_test {
 namespace {
 
 using Choice = std::vector<std::uint32_t>;
@@ -166,4 +166,4 @@ TEST(CheapestChoice, OfEqualOnesTakesTheFirst) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cheapest_choice_test

@@ -7,7 +7,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-namespace gouge {
+namespace gouge::closed_contours_test {
 namespace {
 
 using paths::upright;
@@ -104,4 +104,4 @@ TEST(ClosedContours, GiveTheOtherEndTheAxisThatOneHas) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::closed_contours_test

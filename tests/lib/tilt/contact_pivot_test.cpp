@@ -8,7 +8,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::contact_pivot_test {
 namespace {
 
 std::vector<CompiledTool> cutters() {
@@ -115,4 +115,4 @@ TEST(ContactPivot, MovesNoFurtherThanTheToolIsLongWhereAContactRunsAlongItsSide)
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::contact_pivot_test

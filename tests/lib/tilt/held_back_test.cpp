@@ -7,7 +7,7 @@
 #include "tests/lib/tilt/tilt_bench.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::held_back_test {
 namespace {
 
 using namespace tilt_bench;
@@ -74,4 +74,4 @@ TEST(HeldBack, IsSaidOfTheEndThatIsTooDeep) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::held_back_test

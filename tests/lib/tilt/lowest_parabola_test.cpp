@@ -7,7 +7,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::lowest_parabola_test {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -57,4 +57,4 @@ TEST(LowestParabolas, AreThoseOfAllThatAreAsked) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::lowest_parabola_test

@@ -11,7 +11,7 @@
 #include "tests/lib/tilt/tilt_bench.h"
 #include "tests/support/motions.h"
 
-namespace gouge {
+namespace gouge::plan_tilts_test {
 namespace {
 
 using namespace tilt_bench;
@@ -229,4 +229,4 @@ TEST(PlanTilts, IsTheSameAtAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::plan_tilts_test

@@ -4,7 +4,7 @@
 #include "tests/lib/tilt/tilt_bench.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::refusing_points_test {
 namespace {
 
 using namespace tilt_bench;
@@ -63,4 +63,4 @@ TEST(RefusingPoints, RefuseNoTiltThatIsFreeWithoutThem) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::refusing_points_test

@@ -7,7 +7,7 @@
 #include "lib/path/path_info.h"
 #include "tests/lib/tilt/tilt_bench.h"
 
-namespace gouge {
+namespace gouge::tilt_cases_test {
 namespace {
 
 using namespace tilt_bench;
@@ -124,4 +124,4 @@ TEST(TiltCases, ABullNoseOnASlopeKeepsItsPointOnTheSlope) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tilt_cases_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::tilt_curve_test {
 namespace {
 
 std::vector<double> even_ways(std::size_t count, double step) {
@@ -72,4 +72,4 @@ TEST(TiltCurve, OfPositionsAtOnePlaceHasOneValue) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tilt_curve_test

@@ -15,7 +15,7 @@
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::convex_cover_test {
 namespace {
 
 double signed_distance(const CompiledTool& tool, const Vec2& q) {
@@ -161,4 +161,4 @@ TEST(ConvexCover, HoldsForCuttersOfManyPointsInFewPieces) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::convex_cover_test

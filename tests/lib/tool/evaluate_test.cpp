@@ -7,7 +7,7 @@
 
 // Tools written down by hand: lib/tool knows nothing of how tools are made.
 
-namespace gouge {
+namespace gouge::evaluate_test {
 namespace {
 
 BoundaryElement segment(const Vec2& a, const Vec2& b, Body body = Body::cutter) {
@@ -156,4 +156,4 @@ TEST(Evaluate, AFootOnAnArcIsAPointOfTheArcEvenBesideItsCentre) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::evaluate_test

@@ -9,7 +9,7 @@
 #include "tests/support/tools.h"
 #include "toolmodels/compile_tool.h"
 
-namespace gouge {
+namespace gouge::free_regions_test {
 namespace {
 
 TEST(FreeRegions, OfACylinderAreOneStretchOfItsAxis) {
@@ -87,4 +87,4 @@ TEST(FreeRegions, ALipThatEndsInACuspIsClimbed) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::free_regions_test

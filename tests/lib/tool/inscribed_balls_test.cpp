@@ -6,7 +6,7 @@
 #include "tests/support/random_tools.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::inscribed_balls_test {
 namespace {
 
 constexpr double kSlack_mm = 2e-4;
@@ -60,4 +60,4 @@ TEST(InscribedBalls, ReachEveryPointOutsideOfTheZones) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::inscribed_balls_test

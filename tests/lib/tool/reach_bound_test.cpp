@@ -14,7 +14,7 @@
 #include "tests/support/random_tools.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::reach_bound_test {
 namespace {
 
 /// The holder of these tools widens by 3 mm over 30: its upper corner has 84.3 degrees.
@@ -180,4 +180,4 @@ TEST(CertifiedDepth, OfAnOffsetToolIsThatOfItsOffsetVariant) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::reach_bound_test

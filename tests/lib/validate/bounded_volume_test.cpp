@@ -9,7 +9,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge::detail {
+namespace gouge::detail::bounded_volume_test {
 namespace {
 
 IndexedMesh random_piece(test::Scatter& random) {
@@ -60,4 +60,4 @@ TEST(BoundedVolume, IsLeftOpenWhereRoundingHidesAPiece) {
 }
 
 }  // namespace
-}  // namespace gouge::detail
+}  // namespace gouge::detail::bounded_volume_test

@@ -11,7 +11,7 @@
 
 // Parts other people's systems wrote, kept beside the project, not in it. Skipped where they are absent.
 
-namespace gouge {
+namespace gouge::real_parts_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ TEST(RealPartsValidation, MachinedPartsAreSound) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::real_parts_test

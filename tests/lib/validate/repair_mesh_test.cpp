@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
-namespace gouge {
+namespace gouge::repair_mesh_test {
 namespace {
 
 MeshRepair repaired(const IndexedMesh& mesh, const RepairOptions& options = {}) {
@@ -152,4 +152,4 @@ TEST(RepairMesh, OddMeshesAreRepairedOrRefusedWithoutAborting) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::repair_mesh_test

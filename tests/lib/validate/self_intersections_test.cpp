@@ -14,7 +14,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::self_intersections_test {
 namespace {
 
 using test::Scatter;
@@ -150,4 +150,4 @@ TEST(FindSelfIntersections, AFarCornerCostsNoPrecision) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::self_intersections_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge::detail {
+namespace gouge::detail::triangle_filter_test {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
@@ -36,4 +36,4 @@ TEST(TriangleFilter, KnowsNeighboursAtASideThatAreNotFoldedFlat) {
 }
 
 }  // namespace
-}  // namespace gouge::detail
+}  // namespace gouge::detail::triangle_filter_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace gouge {
+namespace gouge::validate_mesh_test {
 namespace {
 
 MeshValidation judge(const IndexedMesh& mesh) { return validate_mesh(mesh, find_mesh_findings(mesh)); }
@@ -111,4 +111,4 @@ TEST(ValidateMesh, OddMeshesAreJudgedWithoutAborting) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::validate_mesh_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::bounds_test {
 namespace {
 
 TEST(SineCosine, HoldTheTrueValuesCloselyAtAllAnglesThatAreAskedFor) {
@@ -41,4 +41,4 @@ TEST(SquareRoot, OfWhatRoundingMadeNegativeIsZero) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::bounds_test

@@ -5,7 +5,7 @@
 #include "lib/verify/zstd_stream.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::certificate_text_test {
 namespace {
 
 const std::vector<ProofGroup> kGroups{{3, 2, "abc"}, {5, 1, ""}, {700, 40, std::string(300, '\2')}};
@@ -72,4 +72,4 @@ TEST(ZstdStream, ReadsBackInAnyPiecesAndSaysWhatIsBroken) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::certificate_text_test

@@ -10,7 +10,7 @@
 
 // Interval arithmetic of the joints of a machine, against matrices of the test's own.
 
-namespace gouge {
+namespace gouge::chain_pieces_test {
 namespace {
 
 constexpr double kLength_mm = 70;
@@ -190,4 +190,4 @@ TEST(ChainPieces, AnAxisByJointsRunsAlongArcsAndSplines) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::chain_pieces_test

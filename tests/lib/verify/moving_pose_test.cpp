@@ -8,7 +8,7 @@
 #include "tests/support/reference.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::moving_pose_test {
 namespace {
 
 class Motions : public testing::Test {
@@ -136,4 +136,4 @@ TEST_F(Motions, WhatIsNoNumberOrTurnsByHalfACircleHasNoPieces) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::moving_pose_test

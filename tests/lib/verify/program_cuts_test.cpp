@@ -8,7 +8,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::program_cuts_test {
 namespace {
 
 TEST(ProgramCuts, AnswerForAPointAtExactlyTheDistanceInQuestion) {
@@ -47,4 +47,4 @@ TEST(StockVerifier, EndsItsSearchWhereRoundingLeavesADistanceOpen) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::program_cuts_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/lattice_boxes.h"
 
-namespace gouge {
+namespace gouge::solid_depth_test {
 namespace {
 
 TEST(SolidDepth, OfRandomBoxesIsThatOfCountedCells) {
@@ -40,4 +40,4 @@ TEST(SolidDepth, IsMeasuredThroughShellsInside) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::solid_depth_test

@@ -14,7 +14,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-namespace gouge {
+namespace gouge::stock_proof_test {
 namespace {
 
 SpaceBlock random_block(test::Scatter& scatter, const Vec3& center, double size) {
@@ -347,4 +347,4 @@ TEST(StockClaims, AreRefutedByACutThatComesLater) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::stock_proof_test

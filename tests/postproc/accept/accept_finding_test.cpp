@@ -6,7 +6,7 @@
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 
-namespace gouge {
+namespace gouge::accept_finding_test {
 namespace {
 
 const AcceptanceNote kNote = {"stock allowance", "R. Miller", "2026-11-23"};
@@ -104,4 +104,4 @@ TEST(AcceptedSetup, EveryPartOfItVoids) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::accept_finding_test

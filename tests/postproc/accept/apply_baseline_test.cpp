@@ -6,7 +6,7 @@
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 
-namespace gouge {
+namespace gouge::apply_baseline_test {
 namespace {
 
 /// The small report, whose finding 2 (moves 1 and 2, up to 0.3333 mm) is accepted.
@@ -118,4 +118,4 @@ TEST(ApplyBaseline, WhatGougesNoMoreIsUnused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::apply_baseline_test

@@ -4,7 +4,7 @@
 
 #include "lib/path/toolpath.h"
 
-namespace gouge {
+namespace gouge::align_motions_test {
 namespace {
 
 /// Views of the letters, which must outlive them.
@@ -52,4 +52,4 @@ TEST(AlignMotions, RepeatedMotionsAreTakenBesideThoseThatAreThereOnce) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::align_motions_test

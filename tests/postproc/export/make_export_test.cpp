@@ -13,7 +13,7 @@
 #include "postproc/viewer/surface_values.h"
 #include "tests/postproc/image/small_scene.h"
 
-namespace gouge {
+namespace gouge::make_export_test {
 namespace {
 
 const ExportMesh* mesh_called(const ExportScene& scene, const std::string& name) {
@@ -134,4 +134,4 @@ TEST(SceneFormat, IsSaidByTheEnding) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::make_export_test

@@ -4,7 +4,7 @@
 
 #include "tests/postproc/gcode/program.h"
 
-namespace gouge {
+namespace gouge::approach_test {
 namespace {
 
 using test::can_be_clean;
@@ -98,4 +98,4 @@ TEST(GcodeApproach, TheLawVectorDoesNotTurnByHalfATurn) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::approach_test

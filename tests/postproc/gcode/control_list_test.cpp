@@ -12,7 +12,7 @@
 #include "postproc/gcode/language/control_tables.h"
 #include "postproc/gcode/siemens/siemens_table.h"
 
-namespace gouge {
+namespace gouge::control_list_test {
 namespace {
 
 /// Returns the effects in CL data that stand for a meaning in a program; empty: only an unknown code does.
@@ -110,4 +110,4 @@ TEST(ControlList, CallsNoMotionOfHeidenhainHarmless) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::control_list_test

@@ -3,7 +3,7 @@
 
 #include "postproc/gcode/lexing/block_lexer.h"
 
-namespace gouge {
+namespace gouge::lexer_test {
 namespace {
 
 constexpr GcodeSyntax kLinuxcnc = {.has_o_words = true, .has_named_variables = true, .has_equal_tolerance = true};
@@ -85,4 +85,4 @@ TEST(BlockLexer, TakesAssignmentsFromTheValuesBeforeTheBlock) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::lexer_test

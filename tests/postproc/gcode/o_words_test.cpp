@@ -3,7 +3,7 @@
 // O-words of LinuxCNC: which subprogram a call reaches, and loops whose state the interpreter keeps.
 // Source: LinuxCNC 2.9, src/emc/rs274ngc/interp_o_word.cc, and the interpreter itself.
 
-namespace gouge::test {
+namespace gouge::test::o_words_test {
 namespace {
 
 constexpr std::string_view kStart = "G17 G21 G90 G94\nG0 X0 Y0 Z10\nF100\n";
@@ -159,4 +159,4 @@ TEST(OWordBreaks, LeaveLoopsOfWhile) {
 }
 
 }  // namespace
-}  // namespace gouge::test
+}  // namespace gouge::test::o_words_test

@@ -3,7 +3,7 @@
 
 #include "tests/postproc/gcode/program.h"
 
-namespace gouge::test {
+namespace gouge::test::readings_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -148,4 +148,4 @@ TEST(GcodeReading, TurnsInverseTimeIntoFeeds) {
 }
 
 }  // namespace
-}  // namespace gouge::test
+}  // namespace gouge::test::readings_test

@@ -16,7 +16,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge::test {
+namespace gouge::test::rs274_test {
 namespace {
 
 constexpr double kSame_mm = 1.01e-4;  // four decimals
@@ -304,4 +304,4 @@ TEST_F(Rs274, AgreesOnTheDemosOfLinuxcnc) {
 }
 
 }  // namespace
-}  // namespace gouge::test
+}  // namespace gouge::test::rs274_test

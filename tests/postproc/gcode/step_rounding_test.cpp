@@ -2,7 +2,7 @@
 // miss.
 #include "tests/postproc/gcode/program.h"
 
-namespace gouge::test {
+namespace gouge::test::step_rounding_test {
 namespace {
 
 struct Language {
@@ -77,4 +77,4 @@ TEST(StepRounding, OfARepeatedCycleCountsForEachHole) {
 }
 
 }  // namespace
-}  // namespace gouge::test
+}  // namespace gouge::test::step_rounding_test

@@ -1,7 +1,7 @@
 // Effects of blocks that a reader easily overlooks: none of these programs can be clean, unless the fact is given.
 #include "tests/postproc/gcode/program.h"
 
-namespace gouge::test {
+namespace gouge::test::traps2_test {
 namespace {
 
 constexpr const char* kStart = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG43 H1 G0 X0. Y0. Z80.\n";
@@ -267,4 +267,4 @@ TEST(GcodeEffects, NamesTheWordAndItsLine) {
 }
 
 }  // namespace
-}  // namespace gouge::test
+}  // namespace gouge::test::traps2_test

@@ -3,7 +3,7 @@
 #include "lib/machine/linuxcnc_ini.h"
 #include "tests/postproc/gcode/program.h"
 
-namespace gouge::test {
+namespace gouge::test::traps_test {
 namespace {
 
 constexpr const char* kFanucStart = "G21 G90 G17 G98\nT1 M6\nG43 H1\nG0 X0. Y0. Z10.\n";
@@ -238,4 +238,4 @@ TEST(GcodeTraps, ARotaryWordNeedsItsMachine) {
 }
 
 }  // namespace
-}  // namespace gouge::test
+}  // namespace gouge::test::traps_test

@@ -1,7 +1,7 @@
 // Words whose meaning a parameter of the control states, or that a reader easily skips.
 #include "tests/postproc/gcode/program.h"
 
-namespace gouge::test {
+namespace gouge::test::words_test {
 namespace {
 
 constexpr const char* kStart = "G17 G21 G90 G94 G40 G49 G80 G98\nT1 M6\nG43 H1 G0 X0. Y0.\nZ80.\n";
@@ -444,4 +444,4 @@ TEST(GcodeWords, MarksOfLoopsAreThoseOfBlocks) {
 }
 
 }  // namespace
-}  // namespace gouge::test
+}  // namespace gouge::test::words_test

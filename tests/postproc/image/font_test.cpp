@@ -8,7 +8,7 @@
 #include "postproc/image/page.h"
 #include "postproc/image/render_drawing.h"
 
-namespace gouge {
+namespace gouge::font_test {
 namespace {
 
 std::string picture_of(const std::string& text) {
@@ -79,4 +79,4 @@ TEST(Fitted, CutsBetweenLettersNotWithinThem) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::font_test

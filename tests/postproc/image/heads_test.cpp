@@ -14,7 +14,7 @@
 #include "tests/postproc/image/small_pages.h"
 #include "tests/postproc/image/small_scene.h"
 
-namespace gouge {
+namespace gouge::heads_test {
 namespace {
 
 constexpr double kDeep = 0.4;
@@ -239,4 +239,4 @@ TEST(ReportPictures, OfHeadsAreTheSameOnEveryRun) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::heads_test

@@ -7,7 +7,7 @@
 #include "postproc/image/heat_map.h"
 #include "tests/postproc/image/small_scene.h"
 
-namespace gouge {
+namespace gouge::overcut_field_test {
 namespace {
 
 /// The ball of 6 mm plunged into a block 40 x 30 x 30 mm to the tip's height `z`.
@@ -154,4 +154,4 @@ TEST(HeatMap, IsColouredByOvercutAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::overcut_field_test

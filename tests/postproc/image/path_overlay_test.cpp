@@ -8,7 +8,7 @@
 #include "tests/postproc/image/small_scene.h"
 #include "tests/support/paths.h"
 
-namespace gouge {
+namespace gouge::path_overlay_test {
 namespace {
 
 using paths::upright;
@@ -69,4 +69,4 @@ TEST_F(OverlayTest, FollowsArcs) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::path_overlay_test

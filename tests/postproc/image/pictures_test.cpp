@@ -14,7 +14,7 @@
 #include "tests/postproc/image/small_pages.h"
 #include "tests/postproc/image/small_scene.h"
 
-namespace gouge {
+namespace gouge::pictures_test {
 namespace {
 
 double depth_at_pose(const CompiledTool& tool, const Pose& pose, const Vec3& p) {
@@ -325,4 +325,4 @@ TEST(Markers, CoverNeitherEachOtherNorTheirTargets) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::pictures_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace gouge {
+namespace gouge::plot_panel_test {
 namespace {
 
 PlotPanel panel_from_above() {
@@ -105,4 +105,4 @@ TEST(PlotPanel, TheNearestSurfaceIsSeen) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::plot_panel_test

@@ -13,7 +13,7 @@
 #include "tests/postproc/image/small_scene.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::rasteriser_test {
 namespace {
 
 Scene block_scene() {
@@ -220,4 +220,4 @@ TEST(ToolOutline, ReachesFromTheTipToTheTopAndClosesTheSurface) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::rasteriser_test

@@ -3,7 +3,7 @@
 #include "postproc/image/ascii_text.h"
 #include "postproc/image/render_drawing.h"
 
-namespace gouge {
+namespace gouge::render_test {
 namespace {
 
 Drawing small_drawing() {
@@ -89,4 +89,4 @@ TEST(AsciiText, TransliteratesAndNeverKeepsOtherBytes) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::render_test

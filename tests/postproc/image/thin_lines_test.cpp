@@ -7,7 +7,7 @@
 #include "lib/path/toolpath.h"
 #include "postproc/image/path_plot.h"
 
-namespace gouge {
+namespace gouge::thin_lines_test {
 namespace {
 
 const DrawnLine kStyle{{}, {0, 0, 0, 1}, 1.4, false, {}};
@@ -91,4 +91,4 @@ TEST(PlotPath, OfADensePathIsSmall) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::thin_lines_test

@@ -4,7 +4,7 @@
 
 #include "tests/postproc/image/small_scene.h"
 
-namespace gouge {
+namespace gouge::tool_drawing_test {
 namespace {
 
 std::size_t count_in(const std::string& text, const std::string& what) {
@@ -24,4 +24,4 @@ TEST(ToolDrawing, ShowsEachBodyInItsColourWithTheTipBelow) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tool_drawing_test

@@ -12,7 +12,7 @@
 #include "tests/postproc/report/tilted_report.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge {
+namespace gouge::result_record_test {
 namespace {
 
 using nlohmann::json;
@@ -149,4 +149,4 @@ TEST(ResultRecord, TheSchemaOfTheDocsIsTheGeneratedOne) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::result_record_test

@@ -7,7 +7,7 @@
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/tilted_report.h"
 
-namespace gouge {
+namespace gouge::axis_report_test {
 namespace {
 
 std::size_t count_of(const std::string& text, const std::string& what) {
@@ -133,4 +133,4 @@ TEST(AxisChart, OfARunOfNoLengthIsNone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::axis_report_test

@@ -10,7 +10,7 @@
 #include "tests/postproc/report/small_report.h"
 #include "tests/support/plain_text.h"
 
-namespace gouge {
+namespace gouge::findings_text_test {
 namespace {
 
 TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
@@ -336,4 +336,4 @@ TEST(FindingsText, IsInInchesForAnInchPath) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::findings_text_test

@@ -4,7 +4,7 @@
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 
-namespace gouge {
+namespace gouge::html_test {
 namespace {
 
 std::size_t count_of(const std::string& text, const std::string& what) {
@@ -103,4 +103,4 @@ TEST(HtmlTable, CountsTheRowsForWhichThereIsNoPage) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::html_test

@@ -11,7 +11,7 @@
 #include "tests/postproc/report/tilted_report.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge {
+namespace gouge::json_writers_test {
 namespace {
 
 using nlohmann::json;
@@ -290,4 +290,4 @@ TEST(WriteSarif, FingerprintsHoldWhenLinesMoveAndDifferBetweenFindings) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::json_writers_test

@@ -5,7 +5,7 @@
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 
-namespace gouge {
+namespace gouge::operations_html_test {
 namespace {
 
 bool has(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
@@ -57,4 +57,4 @@ TEST(ToolsHtml, ShowsEachDrawingBesideItsTool) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::operations_html_test

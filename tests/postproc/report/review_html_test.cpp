@@ -5,7 +5,7 @@
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 
-namespace gouge {
+namespace gouge::review_html_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
@@ -84,4 +84,4 @@ TEST(SignOff, LeadsFromReportToReportOfABatch) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::review_html_test

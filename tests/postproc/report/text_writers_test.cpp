@@ -11,7 +11,7 @@
 #include "tests/postproc/report/small_report.h"
 #include "tests/support/plain_text.h"
 
-namespace gouge {
+namespace gouge::text_writers_test {
 namespace {
 
 TEST(OverallVerdict, NeverCallsAnOpenQuestionClean) {
@@ -235,4 +235,4 @@ TEST(WriteHtml, TablesOfChangesBeginWithTheLargest) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::text_writers_test

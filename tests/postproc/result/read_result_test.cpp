@@ -5,7 +5,7 @@
 #include "postproc/result/stored_result.h"
 #include "tests/postproc/report/small_report.h"
 
-namespace gouge {
+namespace gouge::read_result_test {
 namespace {
 
 std::string error_of(const std::string& bytes) {
@@ -123,4 +123,4 @@ TEST(StoredFinding, IsToldAsInTheReport) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::read_result_test

@@ -8,7 +8,7 @@
 #include "postproc/record/write_record.h"
 #include "postproc/result/stored_result.h"
 
-namespace gouge {
+namespace gouge::whole_findings_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -103,4 +103,4 @@ TEST(WholeFindings, ManyFindingsOverAllMovesAreRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::whole_findings_test

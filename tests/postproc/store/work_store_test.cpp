@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace gouge {
+namespace gouge::work_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ TEST(WorkStore, IsRemovedWithWhatIsBesideIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::work_store_test

@@ -9,7 +9,7 @@
 #include "postproc/viewer/write_viewer.h"
 #include "tests/postproc/image/small_scene.h"
 
-namespace gouge {
+namespace gouge::viewer_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -226,4 +226,4 @@ TEST(Viewer, TellsOfEachStepUntilAllAreDone) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::viewer_test

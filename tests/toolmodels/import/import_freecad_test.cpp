@@ -2,7 +2,7 @@
 
 #include "tests/toolmodels/import/import_helpers.h"
 
-namespace gouge {
+namespace gouge::import_freecad_test {
 namespace {
 
 using test::all_notes;
@@ -285,4 +285,4 @@ TEST(ImportTools, JsonOfOtherProgramsIsNoLibraryOfAnyOfThese) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::import_freecad_test

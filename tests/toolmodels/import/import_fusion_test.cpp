@@ -2,7 +2,7 @@
 
 #include "tests/toolmodels/import/import_helpers.h"
 
-namespace gouge {
+namespace gouge::import_fusion_test {
 namespace {
 
 using test::all_notes;
@@ -400,4 +400,4 @@ TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::import_fusion_test

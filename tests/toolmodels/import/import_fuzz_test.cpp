@@ -5,7 +5,7 @@
 
 // Seeded mutations of real-looking files: whatever comes out must be a library that reads back, or an error; and what no format may have.
 
-namespace gouge {
+namespace gouge::import_fuzz_test {
 namespace {
 
 using test::corpus;
@@ -98,4 +98,4 @@ TEST(ImportTools, WhatIsNestedTooDeepIsReportedAsThatWhateverTheFormat) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::import_fuzz_test

@@ -2,7 +2,7 @@
 
 #include "tests/toolmodels/import/import_helpers.h"
 
-namespace gouge {
+namespace gouge::import_nx_test {
 namespace {
 
 using test::all_notes;
@@ -213,4 +213,4 @@ TEST(ImportNx, FormatsAreRecognisedByWhatTheyHold) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::import_nx_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::quantity_test {
 namespace {
 
 double value(const std::string& text) {
@@ -41,4 +41,4 @@ TEST(Quantity, TextsBecomeUtf8WithoutControlCharacters) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::quantity_test

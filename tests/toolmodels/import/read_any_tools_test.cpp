@@ -9,7 +9,7 @@
 #include "tests/toolmodels/import/import_helpers.h"
 #include "toolmodels/tool_library.h"
 
-namespace gouge {
+namespace gouge::read_any_tools_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -202,4 +202,4 @@ TEST(ReadAnyTools, AnyOtherFileIsRefusedWithWhatWasExpected) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::read_any_tools_test

@@ -7,7 +7,7 @@
 
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::further_readings_test {
 namespace {
 
 std::string apt(const std::string& text) { return "UNITS/MM\nCUTTER/10\nLOADTL/1\n" + text; }
@@ -198,4 +198,4 @@ TEST(Cards, HaveNumbersInTheirLastColumns) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::further_readings_test

@@ -6,7 +6,7 @@
 
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::named_reasons_test {
 namespace {
 
 TEST(NamedReasons, ReportTheWordAndTheLine) {
@@ -58,4 +58,4 @@ TEST(NamedReasons, OfAMoveThatIsNotReadTheWord) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::named_reasons_test

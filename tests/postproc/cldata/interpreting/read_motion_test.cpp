@@ -6,7 +6,7 @@
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/support/real_arcs.h"
 
-namespace gouge {
+namespace gouge::read_motion_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -232,4 +232,4 @@ TEST(ReadMotion, NothingIsSweptAcrossCreoSequencesAndItIsReported) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::read_motion_test

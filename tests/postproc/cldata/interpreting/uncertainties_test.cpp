@@ -5,7 +5,7 @@
 #include "postproc/cldata/interpreting/block_state.h"
 #include "postproc/cldata/interpreting/reasons.h"
 
-namespace gouge {
+namespace gouge::uncertainties_test {
 namespace {
 
 using Range = std::pair<std::size_t, std::size_t>;
@@ -60,4 +60,4 @@ TEST(ReasonKinds, HoldWithAndWithoutTheWordBehindThem) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::uncertainties_test

@@ -10,7 +10,7 @@
 #include "postproc/cldata/language/words.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge {
+namespace gouge::harmless_words_test {
 namespace {
 
 bool is_harmless_statement(std::string_view word, std::string_view text) {
@@ -83,4 +83,4 @@ TEST(HarmlessWords, StandInTheirDocument) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::harmless_words_test

@@ -6,7 +6,7 @@
 
 #include "postproc/cldata/language/arguments.h"
 
-namespace gouge {
+namespace gouge::lexer_test {
 namespace {
 
 std::vector<Statement> statements_of(std::string_view text) {
@@ -89,4 +89,4 @@ TEST(Words, AreFoundInAnyCase) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::lexer_test

@@ -10,7 +10,7 @@
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/same_moves.h"
 
-namespace gouge {
+namespace gouge::nccs_records_test {
 namespace {
 
 constexpr Minor kLeft{8}, kRight{24}, kOn{71}, kOff{72}, kIpm{73}, kAuto{88}, kStep{92}, kAdjust{159}, kDrill{163},
@@ -382,4 +382,4 @@ TEST(NccsRecords, AWordAmongTheNumbersOfAMotionIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nccs_records_test

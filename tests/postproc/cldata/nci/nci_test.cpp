@@ -6,7 +6,7 @@
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::nci_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -210,4 +210,4 @@ TEST(Nci, AnArcFromAnUnknownPlaceIsNotChecked) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nci_test

@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-namespace gouge {
+namespace gouge::cutter_statement_test {
 namespace {
 
 std::vector<Argument> numbers(std::initializer_list<double> values) {
@@ -107,4 +107,4 @@ TEST(Tldata, WhatCannotBeExpressedDefinesNoTool) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::cutter_statement_test

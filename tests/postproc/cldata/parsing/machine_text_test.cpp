@@ -6,7 +6,7 @@
 
 #include "postproc/cldata/parsing/cutter_statement.h"
 
-namespace gouge {
+namespace gouge::machine_text_test {
 namespace {
 
 /// The effects of a text as letters: moves, shifts, length, cycle, steps, tool, offset, end, unknown.
@@ -158,4 +158,4 @@ TEST(SetupText, IsStockOrAStopWithAMessage) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::machine_text_test

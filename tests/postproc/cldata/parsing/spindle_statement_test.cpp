@@ -6,7 +6,7 @@
 
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::spindle_statement_test {
 namespace {
 
 /// Returns the speed in a motion after these statements.
@@ -30,4 +30,4 @@ TEST(SpindleStatement, HoldsUntilTheNextOneThatChangesIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::spindle_statement_test

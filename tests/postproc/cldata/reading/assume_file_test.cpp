@@ -6,7 +6,7 @@
 
 // Facts that a file establishes about itself.
 
-namespace gouge {
+namespace gouge::assume_file_test {
 namespace {
 
 Assumption fact_in(const std::string& text, Subject subject, const ReadOptions& options = {}) {
@@ -89,4 +89,4 @@ TEST(AssumeFile, TheFrameAndTheDialectNameWhereTheyComeFrom) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::assume_file_test

@@ -7,7 +7,7 @@
 #include "postproc/formats/read_toolpath.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge {
+namespace gouge::bad_input_test {
 namespace {
 
 std::string only_error(const std::string& text) {
@@ -159,4 +159,4 @@ TEST(BadPath, EveryFileOfTheCorpusIsRefusedWithItsCode) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::bad_input_test

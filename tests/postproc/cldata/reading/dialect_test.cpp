@@ -10,7 +10,7 @@
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::dialect_test {
 namespace {
 
 Toolpath sample(const std::string& name) { return path_of(bytes_of(corpus() / name)); }
@@ -250,4 +250,4 @@ TEST(NccsBinary, AFileCutShortIsRefused) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::dialect_test

@@ -9,7 +9,7 @@
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/same_moves.h"
 
-namespace gouge {
+namespace gouge::file_forms_test {
 namespace {
 
 bool is_reported(const Toolpath& path, const std::string& code) {
@@ -246,4 +246,4 @@ TEST(Refused, AsAPartProgramIsOnlyWhatIsWrittenInApt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::file_forms_test

@@ -4,7 +4,7 @@
 
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::read_toolpath_test {
 namespace {
 
 std::vector<MoveKind> kinds(const Toolpath& path) {
@@ -371,4 +371,4 @@ TEST(ReadClsf, TheToolNumberOfABlockDoesNotStickToTheNextTool) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::read_toolpath_test

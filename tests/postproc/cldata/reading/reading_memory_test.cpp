@@ -45,7 +45,7 @@ void operator delete[](void* memory) noexcept { counted_delete(memory); }
 void operator delete(void* memory, std::size_t) noexcept { counted_delete(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { counted_delete(memory); }
 
-namespace gouge {
+namespace gouge::reading_memory_test {
 namespace {
 
 constexpr std::size_t kBytes = 8 << 20;
@@ -163,4 +163,4 @@ TEST(ReadingMemory, NoFileNeedsMoreThanASmallMultipleOfItsSize) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::reading_memory_test

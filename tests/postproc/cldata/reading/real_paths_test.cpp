@@ -12,7 +12,7 @@
 #include "postproc/formats/write_corrected.h"
 #include "tests/support/source_folder.h"
 
-namespace gouge {
+namespace gouge::real_paths_test {
 namespace {
 
 const std::string kFolder = source_folder() + "/../shared/data/toolpaths/";
@@ -241,4 +241,4 @@ TEST(RealPaths, TheImpellerBlockStandsInAbsoluteCoordinates) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::real_paths_test

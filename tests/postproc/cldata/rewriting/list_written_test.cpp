@@ -5,7 +5,7 @@
 #include "postproc/formats/read_toolpath.h"
 #include "postproc/formats/write_corrected.h"
 
-namespace gouge {
+namespace gouge::list_written_test {
 namespace {
 
 constexpr const char* kText =
@@ -33,4 +33,4 @@ TEST(ListWritten, AnInsertedPositionIsAddedWithTheLineOfTheNewFile) {
 TEST(ListWritten, NamesAreThoseOfTheReport) { EXPECT_STREQ(written_name(WrittenKind::removed), "removed"); }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::list_written_test

@@ -10,7 +10,7 @@
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::mutation_test {
 namespace {
 
 constexpr const char* kApt =
@@ -208,4 +208,4 @@ TEST(MutatedPath, IsCorrectedTheSameWithOriginsKept) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::mutation_test

@@ -13,7 +13,7 @@
 #include "tests/postproc/cldata/same_moves.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::nccs_twins_test {
 namespace {
 
 // One program in two forms.
@@ -333,4 +333,4 @@ TEST(NccsMutated, IsReadSoundlyOrRefusedAndWhatWasReadCanBeCorrected) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nccs_twins_test

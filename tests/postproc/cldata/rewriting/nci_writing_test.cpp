@@ -7,7 +7,7 @@
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::nci_writing_test {
 namespace {
 
 constexpr const char* kStart = "0\r\n0 0. 0. 50. -2. 0\r\n";
@@ -300,4 +300,4 @@ TEST(NciWriting, InsertionsLeaveTheCompensationOfAllOtherMoves) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::nci_writing_test

@@ -5,7 +5,7 @@
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::record_texts_test {
 namespace {
 
 struct Texts {
@@ -60,4 +60,4 @@ TEST(RecordTexts, OfAPositionInAFrameHoldAllOfIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::record_texts_test

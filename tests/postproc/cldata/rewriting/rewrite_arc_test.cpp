@@ -12,7 +12,7 @@
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/support/scatter.h"
 
-namespace gouge {
+namespace gouge::rewrite_arc_test {
 namespace {
 
 constexpr double kDigits_mm = 3e-4;  // half a digit of the file's, in each direction
@@ -377,4 +377,4 @@ TEST(RewriteArc, AChangeOfTheStartAloneNeedsTheArcRewritten) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::rewrite_arc_test

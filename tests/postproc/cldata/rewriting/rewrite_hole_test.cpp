@@ -6,7 +6,7 @@
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::rewrite_hole_test {
 namespace {
 
 PathChange shifted(std::size_t move, const Vec3& by) {
@@ -127,4 +127,4 @@ TEST(RewriteHole, NothingElseOfAHoleCanChangeWithIt) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::rewrite_hole_test

@@ -6,7 +6,7 @@
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/same_moves.h"
 
-namespace gouge {
+namespace gouge::straighten_nccs_test {
 namespace {
 
 PathChange straightening(const Toolpath& path, std::size_t move) {
@@ -210,4 +210,4 @@ TEST(ConvertToNccs, ShortPlanarArcsStayArcs) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::straighten_nccs_test

@@ -3,7 +3,7 @@
 #include "postproc/formats/write_corrected.h"
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::straighten_text_test {
 namespace {
 
 struct Written {
@@ -107,4 +107,4 @@ TEST(StraightenText, AnArcThatStaysMayNotLoseItsStart) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::straighten_text_test

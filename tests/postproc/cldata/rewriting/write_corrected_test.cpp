@@ -7,7 +7,7 @@
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::write_corrected_test {
 namespace {
 
 TEST(WriteCorrected, ChangesOnlyTheNumberThatChanged) {
@@ -227,4 +227,4 @@ TEST(WriteCorrected, WhatCannotBeChangedIsAnError) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::write_corrected_test

@@ -10,7 +10,7 @@
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/written_states.h"
 
-namespace gouge {
+namespace gouge::convert_feeds_test {
 namespace {
 
 bool is_written_with_feeds(const Dialect& dialect) {
@@ -186,4 +186,4 @@ TEST(ConvertFeeds, OfAllSamplesAreKeptInAllDialects) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::convert_feeds_test

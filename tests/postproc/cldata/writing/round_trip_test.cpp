@@ -9,7 +9,7 @@
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
 
-namespace gouge {
+namespace gouge::round_trip_test {
 namespace {
 
 // The files that hold CL data, read.
@@ -356,4 +356,4 @@ TEST(RoundTrip, CorrectionsOfEverySampleAreReadBack) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::round_trip_test

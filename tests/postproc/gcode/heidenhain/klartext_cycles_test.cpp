@@ -2,7 +2,7 @@
 
 #include "tests/postproc/gcode/heidenhain/klartext.h"
 
-namespace gouge::klartext {
+namespace gouge::klartext::klartext_cycles_test {
 namespace {
 
 const std::string kStart = "L X+10 Y+20 Z+50 R0 FMAX\n";
@@ -153,4 +153,4 @@ TEST(KlartextTools, AreNotCheckedWithOtherLengths) {
 }
 
 }  // namespace
-}  // namespace gouge::klartext
+}  // namespace gouge::klartext::klartext_cycles_test

@@ -2,7 +2,7 @@
 
 #include "tests/postproc/gcode/heidenhain/klartext.h"
 
-namespace gouge::klartext {
+namespace gouge::klartext::klartext_flow_test {
 namespace {
 
 const std::string kStart = "L X+0 Y+0 Z+10 R0 FMAX\n";
@@ -100,4 +100,4 @@ TEST(KlartextProgram, IsRecognised) {
 }
 
 }  // namespace
-}  // namespace gouge::klartext
+}  // namespace gouge::klartext::klartext_flow_test

@@ -5,7 +5,7 @@
 
 #include "tests/postproc/gcode/heidenhain/klartext.h"
 
-namespace gouge::klartext {
+namespace gouge::klartext::klartext_frames_test {
 namespace {
 
 const std::string kStart = "L X+10 Y+0 Z+5 R0 FMAX\n";
@@ -161,4 +161,4 @@ TEST(KlartextFrames, BeginAtTheirPreset) {
 }
 
 }  // namespace
-}  // namespace gouge::klartext
+}  // namespace gouge::klartext::klartext_frames_test

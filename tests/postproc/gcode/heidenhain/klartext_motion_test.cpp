@@ -5,7 +5,7 @@
 
 #include "tests/postproc/gcode/heidenhain/klartext.h"
 
-namespace gouge::klartext {
+namespace gouge::klartext::klartext_motion_test {
 namespace {
 
 const std::string kStart = "L X+0 Y+0 Z+10 R0 FMAX\n";
@@ -154,4 +154,4 @@ TEST(KlartextMotion, IsNotCheckedOffThePathOfTheProgram) {
 }
 
 }  // namespace
-}  // namespace gouge::klartext
+}  // namespace gouge::klartext::klartext_motion_test

@@ -5,7 +5,7 @@
 
 // A removed, doubled or damaged word never makes a program clean that was not.
 
-namespace gouge::klartext {
+namespace gouge::klartext::klartext_mutation_test {
 namespace {
 
 /// Programs that are checked to their end.
@@ -127,4 +127,4 @@ TEST(KlartextMutation, NoBytesEndTheProgramItself) {
 }
 
 }  // namespace
-}  // namespace gouge::klartext
+}  // namespace gouge::klartext::klartext_mutation_test

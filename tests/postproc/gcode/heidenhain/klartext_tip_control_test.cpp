@@ -7,7 +7,7 @@
 
 // Simultaneous programs, written from the manuals: no public one with its part was found.
 
-namespace gouge::klartext {
+namespace gouge::klartext::klartext_tip_control_test {
 namespace {
 
 const std::string kStart = "L B+0 C+0 R0 FMAX\nL X+0 Y+0 Z+50 FMAX\n";
@@ -191,4 +191,4 @@ TEST(KlartextRotary, IsRefusedAlongArcs) {
 }
 
 }  // namespace
-}  // namespace gouge::klartext
+}  // namespace gouge::klartext::klartext_tip_control_test

@@ -4,7 +4,7 @@
 
 // Programs that a careless reader would take for clean: none is wholly checked.
 
-namespace gouge::klartext {
+namespace gouge::klartext::klartext_traps_test {
 namespace {
 
 const std::string kStart = "L X+0 Y+0 Z+10 R0 FMAX\n";
@@ -146,4 +146,4 @@ TEST(KlartextTraps, RotaryAxes) {
 }
 
 }  // namespace
-}  // namespace gouge::klartext
+}  // namespace gouge::klartext::klartext_traps_test

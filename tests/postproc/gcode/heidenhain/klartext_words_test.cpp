@@ -6,7 +6,7 @@
 #include "postproc/gcode/heidenhain/klartext_table.h"
 #include "postproc/gcode/heidenhain/klartext_words.h"
 
-namespace gouge {
+namespace gouge::klartext_words_test {
 namespace {
 
 std::string words_of(const std::string& text, const QParameters& parameters = {}) {
@@ -107,4 +107,4 @@ TEST(KlartextTable, HasEachNumberOnce) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::klartext_words_test

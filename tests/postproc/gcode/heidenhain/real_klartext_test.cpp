@@ -10,7 +10,7 @@
 
 // The program of a real post-processor beside its CL data (the shared data folder; never part of the project).
 
-namespace gouge {
+namespace gouge::real_klartext_test {
 namespace {
 
 const std::string kData = source_folder() + "/../shared/data/";
@@ -82,4 +82,4 @@ TEST(RealKlartext, IsReadToItsEnd) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::real_klartext_test

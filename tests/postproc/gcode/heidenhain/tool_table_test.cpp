@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gouge {
+namespace gouge::tool_table_test {
 namespace {
 
 const std::string kTable =
@@ -57,4 +57,4 @@ TEST(HeidenhainToolTable, IsRefusedWithItsLine) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::tool_table_test

@@ -9,7 +9,7 @@
 
 // Random chains of frames against 4x4 matrices, which share no formula with the reader.
 
-namespace gouge {
+namespace gouge::siemens_chain_test {
 namespace {
 
 using Matrix = std::array<std::array<double, 4>, 4>;
@@ -88,4 +88,4 @@ TEST(SiemensChain, RandomChainsOfFramesAgreeWithMatrices) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_chain_test

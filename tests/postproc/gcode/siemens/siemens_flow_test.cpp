@@ -4,7 +4,7 @@
 
 // Variables, expressions, jumps, loops, repetitions and subprograms.
 
-namespace gouge {
+namespace gouge::siemens_flow_test {
 namespace {
 
 using test::expect_at;
@@ -120,4 +120,4 @@ TEST(SiemensFlow, ALoopWithoutEndIsEnded) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_flow_test

@@ -2,7 +2,7 @@
 
 // Jumps, structures, programs and variables that a careless reader would misread.
 
-namespace gouge {
+namespace gouge::siemens_flow_traps_test {
 namespace {
 
 using test::expect_open;
@@ -99,4 +99,4 @@ TEST(SiemensFlowTraps, VariablesOfAModalCycleThatChange) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_flow_traps_test

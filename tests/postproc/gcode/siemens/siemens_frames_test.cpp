@@ -5,7 +5,7 @@
 
 // Frames of the program, computed by hand.
 
-namespace gouge {
+namespace gouge::siemens_frames_test {
 namespace {
 
 using test::expect_at;
@@ -150,4 +150,4 @@ TEST(SiemensFrames, Cycle800WithoutArgumentsEndsThePlane) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_frames_test

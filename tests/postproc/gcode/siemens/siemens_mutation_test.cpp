@@ -6,7 +6,7 @@
 
 // A removed, doubled or damaged word never makes a program clean that was not; and no bytes end the reader.
 
-namespace gouge {
+namespace gouge::siemens_mutation_test {
 namespace {
 
 using test::can_be_clean;
@@ -110,4 +110,4 @@ TEST(SiemensMutations, RandomBytesDoNotEndTheReader) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_mutation_test

@@ -12,7 +12,7 @@
 // The real programs of the shared data. Their words are read here by another way: a regular expression for each line, and
 // the places of X, Y and Z from one to the next.
 
-namespace gouge {
+namespace gouge::siemens_real_test {
 namespace {
 
 std::string real_program(const std::string& name) {
@@ -122,4 +122,4 @@ TEST(SiemensReal, TheNxProgramIsReadToItsEnd) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_real_test

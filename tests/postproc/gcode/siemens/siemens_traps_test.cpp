@@ -2,7 +2,7 @@
 
 // What a careless reader would misread is not clean, with its line and a reason.
 
-namespace gouge {
+namespace gouge::siemens_traps_test {
 namespace {
 
 using test::expect_open;
@@ -348,4 +348,4 @@ TEST(SiemensTraps, ProgramsWithoutTheirEnd) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_traps_test

@@ -4,7 +4,7 @@
 
 // Each class of words by a small program.
 
-namespace gouge {
+namespace gouge::siemens_words_test {
 namespace {
 
 using test::expect_at;
@@ -181,4 +181,4 @@ TEST(SiemensWords, SmoothingWithinTheToleranceIsChecked) {
 }
 
 }  // namespace
-}  // namespace gouge
+}  // namespace gouge::siemens_words_test
