@@ -8,28 +8,11 @@
 #include "cli/options/help_text.h"
 #include "cli/values/parse_lengths.h"
 #include "lib/base/letters.h"
+#include "lib/base/similar_name.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
 namespace {
-
-// Edits that turn `a` into `b`, a swap of neighbours being one (Damerau 1964, in its restricted form).
-std::size_t edits_between(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t k = 0; k <= b.size(); ++k) {
-      if (i == 0 || k == 0) {
-        edits[i][k] = i + k;
-        continue;
-      }
-      const std::size_t change = edits[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
-      edits[i][k] = std::min({edits[i - 1][k] + 1, edits[i][k - 1] + 1, change});
-      const bool is_swap = i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1];
-      if (is_swap) edits[i][k] = std::min(edits[i][k], edits[i - 2][k - 2] + 1);
-    }
-  }
-  return edits[a.size()][b.size()];
-}
 
 std::string is_no_command(const std::string& word, const std::string& program,
                           const std::vector<std::string>& commands) {
@@ -261,7 +244,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
 std::string meant(const std::string& name) { return name.empty() ? std::string() : "; did you mean " + name + "?"; }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
-  constexpr std::size_t kShortest = 3, kLong = 8;
+  constexpr std::size_t kShortest = 3;
   if (word.size() + 1 < kShortest) return {};
   const auto is_begun = [&](const std::string& name) { return name.starts_with(word); };
   const auto begun = std::find_if(names.begin(), names.end(), is_begun);
@@ -271,15 +254,7 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   const std::string end = "-" + std::string(word.substr(std::min(word.find_first_not_of('-'), word.size())));
   const auto is_ended = [&](const std::string& name) { return word.starts_with("--") && name.ends_with(end); };
   if (const auto ended = std::find_if(names.begin(), names.end(), is_ended); ended != names.end()) return *ended;
-  std::string nearest;
-  std::size_t least = word.size() > kLong ? 4 : 3;
-  for (const std::string& name : names) {
-    const std::size_t edits = edits_between(word, name);
-    if (edits >= least) continue;
-    least = edits;
-    nearest = name;
-  }
-  return nearest;
+  return find_similar_name(word, names);
 }
 
 Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> words) {

@@ -13,6 +13,7 @@
 #include "lib/base/files.h"
 #include "lib/base/large_pages.h"
 #include "lib/base/number_text.h"
+#include "lib/base/similar_name.h"
 
 namespace gouge {
 namespace {
@@ -104,7 +105,7 @@ Result<InputReader> InputReader::open(const std::string& path, std::uint64_t max
   struct stat info {};
   // The status is read before the file is opened, because opening a tape rewinds it.
   if (::stat(path.c_str(), &info) != 0) {
-    if (errno == ENOENT) return make_error("file-not-found", "no such file", path);
+    if (errno == ENOENT) return describe_missing_file(path);
     return unreadable(path, errno);
   }
   if (const auto unfit = find_unfit(info, path, max_bytes)) return *unfit;

@@ -1,0 +1,48 @@
+#include "lib/base/similar_name.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace gouge::similar_name_test {
+namespace {
+
+TEST(SimilarName, IsTheNearestByLetters) {
+  const std::vector<std::string> names{"roughing.apt", "finishing.apt", "drill.apt"};
+  EXPECT_EQ(find_similar_name("finishign.apt", names), "finishing.apt");
+  EXPECT_EQ(find_similar_name("drll.apt", names), "drill.apt");
+  EXPECT_EQ(find_similar_name("contour.apt", names), "");
+}
+
+struct MissingFile : testing::Test {
+  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gouge_missing_file";
+
+  MissingFile() {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "blade.stl.d");
+    for (const char* name : {"blade.STL", "op10 finish.apt", "op20 finish.apt"}) std::ofstream(folder / name) << "x";
+  }
+  ~MissingFile() override { std::filesystem::remove_all(folder); }
+  MissingFile(const MissingFile&) = delete;
+  MissingFile& operator=(const MissingFile&) = delete;
+
+  [[nodiscard]] std::string message(const std::string& name) const {
+    return describe_missing_file((folder / name).string()).message;
+  }
+};
+
+TEST_F(MissingFile, IsNamedWithTheOneThatWasProbablyMeant) {
+  EXPECT_EQ(message("blade.stl"), "no such file; did you mean blade.STL?");
+  EXPECT_EQ(message("op10 finsh.apt"), "no such file; did you mean op10 finish.apt?");
+  EXPECT_EQ(message("op20 finish.cls"), "no such file; did you mean op20 finish.apt?");
+  EXPECT_EQ(message("fixture.stl"), "no such file");
+}
+
+TEST_F(MissingFile, IsNamedWithTheFolderThatIsMissingToo) {
+  EXPECT_EQ(message("parts/blade.stl"), "no such file; the folder " + (folder / "parts").string() + " does not exist");
+  EXPECT_EQ(describe_missing_file("/no/such/file").code, "file-not-found");
+}
+
+}  // namespace
+}  // namespace gouge::similar_name_test
