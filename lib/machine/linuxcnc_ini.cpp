@@ -168,8 +168,31 @@ class IniReader {
     return 0;
   }
 
-  std::optional<double> number(char letter, const char* key, double scale) {
-    const Value* value = find(std::string("AXIS_") + letter + "/" + key);
+  /// Returns the section of the joint that moves an axis. trtfuncs.c numbers the joints in the order of the letters in
+  /// the parameter coordinates of the kinematics.
+  [[nodiscard]] std::string joint_section(char letter) const {
+    const std::string_view kinematics = find("KINS/KINEMATICS")->text;
+    constexpr std::string_view kKey = "coordinates=";
+    const std::size_t at = kinematics.find(kKey);
+    std::string order = std::string("XYZ") + std::string(in_capitals(kinematics.substr(3, 2)));
+    if (at != std::string_view::npos) {
+      const std::string_view rest = kinematics.substr(at + kKey.size());
+      order = in_capitals(rest.substr(0, rest.find_first_of(" \t")));
+    }
+    const std::size_t number = order.find(letter);
+    return number == std::string::npos ? "" : "JOINT_" + std::to_string(number);
+  }
+
+  /// Returns the narrower one of the values of an axis and of its joint: LinuxCNC obeys both.
+  std::optional<double> narrower(char letter, const char* key, bool is_minimum, double scale) {
+    const std::optional<double> axis = number(std::string("AXIS_") + letter, key, scale);
+    const std::optional<double> joint = number(joint_section(letter), key, scale);
+    if (!axis || !joint) return axis ? axis : joint;
+    return is_minimum ? std::max(*axis, *joint) : std::min(*axis, *joint);
+  }
+
+  std::optional<double> number(const std::string& section, const char* key, double scale) {
+    const Value* value = find(section + "/" + key);
     if (value == nullptr) return std::nullopt;
     const std::optional<double> number = parse_number(value->text);
     if (number) return *number * scale;
@@ -186,9 +209,9 @@ class IniReader {
     Joint made;
     made.name = std::string(1, letter);
     made.direction = direction;
-    made.min = number(letter, "MIN_LIMIT", scale);
-    made.max = number(letter, "MAX_LIMIT", scale);
-    made.rate = number(letter, "MAX_VELOCITY", scale * kSecondsPerMinute);
+    made.min = narrower(letter, "MIN_LIMIT", true, scale);
+    made.max = narrower(letter, "MAX_LIMIT", false, scale);
+    made.rate = narrower(letter, "MAX_VELOCITY", false, scale * kSecondsPerMinute);
     return made;
   }
   Joint linear(char letter, const Vec3& direction) { return joint(letter, direction, mm_per_unit_); }
