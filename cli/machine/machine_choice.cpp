@@ -1,6 +1,7 @@
 #include "cli/machine/machine_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 
@@ -297,13 +298,53 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
   return {};
 }
 
+namespace {
+
+/// Problems of the same kind at the same limit of the same joint.
+struct EqualProblems {
+  JointProblem worst;
+  std::size_t count = 0, first_line = 0, last_line = 0;
+};
+
+bool are_equal(const JointProblem& a, const JointProblem& b) {
+  const bool is_same_limit = a.kind != JointProblem::Kind::limit || !(a.limit < b.limit || b.limit < a.limit);
+  return a.kind == b.kind && a.joint == b.joint && is_same_limit;
+}
+
+/// Returns one warning for all equal problems, at the worst of them, in the order in which each occurs first.
+Diagnostics describe_problems(const Machine& machine, const Toolpath& path, const std::vector<JointProblem>& problems) {
+  std::vector<EqualProblems> groups;
+  for (const JointProblem& one : problems) {
+    const std::size_t line = path.moves[one.move].line;
+    const auto group = std::ranges::find_if(groups, [&](const EqualProblems& g) { return are_equal(g.worst, one); });
+    if (group == groups.end()) {
+      groups.push_back({one, 1, line, line});
+      continue;
+    }
+    ++group->count;
+    group->first_line = std::min(group->first_line, line);
+    group->last_line = std::max(group->last_line, line);
+    const auto excess = [](const JointProblem& p) { return std::abs(p.value - p.limit); };
+    if (excess(one) > excess(group->worst)) group->worst = one;
+  }
+  Diagnostics notes;
+  for (const EqualProblems& group : groups) {
+    notes.push_back(describe_problem(machine, path, group.worst));
+    if (group.count == 1) continue;
+    notes.back().message += "; this is the worst of " + std::to_string(group.count) + " such positions, lines " +
+                            std::to_string(group.first_line) + " to " + std::to_string(group.last_line);
+  }
+  return notes;
+}
+
+}  // namespace
+
 bool needs_turn(const TurnLaws& laws, bool has_heads) {
   return has_heads || runs_joints(laws.feeds) || runs_joints(laws.rapids);
 }
 
 Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const std::optional<double>& tool_length_mm,
                              bool is_turn_needed, Toolpath& path) {
-  constexpr std::size_t kMaxNotes = 20;
   const bool are_stated = path.joints != nullptr && path.dialect == kProgramDialect;
   JointChoice choice =
       are_stated ? check_joints(machine, path, *path.joints) : choose_joints(machine, path, is_turn_needed);
@@ -315,12 +356,8 @@ Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const
       leave_unchecked("the machine cannot be there: " + note.message, problem.move, path);
     if (problem.kind == JointProblem::Kind::undecided)
       leave_unchecked("the motion of the machine is undecided: " + note.message, problem.move, path);
-    if (notes.size() < kMaxNotes) notes.push_back(note);
   }
-  if (choice.problems.size() > kMaxNotes)
-    notes.push_back(make_note("machine-more",
-                              std::to_string(choice.problems.size() - kMaxNotes) + " more positions of this kind",
-                              path.file));
+  std::ranges::move(describe_problems(machine, path, choice.problems), std::back_inserter(notes));
   if (are_stated) leave_vectors_unchecked(law, is_turn_needed, path);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     if (!path.moves[i].has_start) continue;
