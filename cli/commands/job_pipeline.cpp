@@ -18,7 +18,8 @@ JobPipeline::JobPipeline(const JobArguments& arguments, const JobOptions& option
       options_(options),
       context_(context),
       outputs_(arguments, corrected),
-      progress_(context.err, options.progress) {}
+      progress_(context.err, options.progress),
+      printer_(context.err, arguments) {}
 
 std::optional<int> JobPipeline::load() {
   if (const auto status = outputs_.refuse(context_.err)) return status;
@@ -75,6 +76,8 @@ CheckResult JobPipeline::check() {
 CheckResult JobPipeline::check_without_stock() { return check_with(setup()); }
 
 CheckResult JobPipeline::check_with(CheckSetup checked) {
+  progress_.end();
+  printer_.print_new(job_->notes);
   if (context_.checkpoints_of) checked.kept = context_.checkpoints_of(job_->inputs);
   return gouge::check(job_->toolpath, checked, progress_.call());
 }
@@ -88,7 +91,8 @@ ReportModel JobPipeline::report(const Toolpath& path, const CheckResult& result,
 int JobPipeline::write(const ReportModel& model, const Diagnostics& last_notes, const std::string& spent) {
   std::ostream& err = context_.err;
   progress_.end();
-  print_notes(err, model.notes, arguments_);
+  printer_.print_new(model.notes);
+  printer_.print_rest();
   if (arguments_.is_quiet) print(err, open_warnings(model.result->assumptions));
   if (!arguments_.is_quiet) print(err, last_notes);
   if (arguments_.is_verbose) err << spent;

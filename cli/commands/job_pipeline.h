@@ -10,6 +10,7 @@
 #include "cli/job/stock_meshes.h"
 #include "cli/options/baseline.h"
 #include "cli/output/outputs.h"
+#include "cli/terminal/print_diagnostics.h"
 #include "cli/terminal/progress.h"
 
 namespace gouge {
@@ -34,7 +35,8 @@ class JobPipeline {
   /// Requires load_stock.
   [[nodiscard]] std::optional<int> make_stock_meshes(ReportParts& parts);
 
-  /// Checks the path as it was read. This and all functions below require that `load` returned none.
+  /// Prints the warnings about the inputs, so that a user sees them before a long check. Then checks the path as it was
+  /// read. This and all functions below require that `load` returned none.
   [[nodiscard]] CheckResult check();
   /// Does the same without the stock.
   [[nodiscard]] CheckResult check_without_stock();
@@ -42,7 +44,7 @@ class JobPipeline {
   /// Builds the report of `result` for `path`, with the accepted findings. Both must outlive the report.
   [[nodiscard]] ReportModel report(const Toolpath& path, const CheckResult& result, ReportParts parts) const;
 
-  /// Prints the warnings, writes every output and prints the findings. Returns the exit status. `last_notes` are
+  /// Prints the warnings that are not printed yet, writes every output and prints the findings. Returns the exit status. `last_notes` are
   /// printed after those of the report, but not with -q; `spent` is printed with -v.
   [[nodiscard]] int write(const ReportModel& model, const Diagnostics& last_notes = {}, const std::string& spent = {});
 
@@ -67,6 +69,7 @@ class JobPipeline {
   const JobContext& context_;
   JobOutputs outputs_;
   Progress progress_;
+  NotePrinter printer_;
   LoadedBaseline baseline_;
   std::optional<Job> job_;
   const PreparedScene* scene_ = nullptr;

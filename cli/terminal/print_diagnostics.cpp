@@ -27,15 +27,30 @@ void print(std::ostream& err, const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics) err << (is_coloured(err) ? painted_text(d) : to_text(d)) << "\n";
 }
 
-void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity) {
-  constexpr std::size_t kMost = 10;
-  if (verbosity.is_verbose) return print(err, notes);
-  if (verbosity.is_quiet) return;
-  std::size_t warnings = 0;
-  for (const Diagnostic& d : notes) {
-    if (d.severity == Severity::warning && ++warnings <= kMost) print(err, {d});
+namespace {
+
+constexpr std::size_t kMostWarnings = 10;
+
+}  // namespace
+
+void NotePrinter::print_new(const Diagnostics& notes) {
+  for (; seen_ < notes.size(); ++seen_) {
+    const Diagnostic& note = notes[seen_];
+    if (verbosity_.is_quiet) continue;
+    const bool is_shown = note.severity == Severity::warning && ++warnings_ <= kMostWarnings;
+    if (verbosity_.is_verbose || is_shown) print(err_, {note});
   }
-  if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
+}
+
+void NotePrinter::print_rest() {
+  if (verbosity_.is_verbose || warnings_ <= kMostWarnings) return;
+  err_ << "gougecheck: " << warnings_ - kMostWarnings << " more warnings; -v shows all\n";
+}
+
+void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity) {
+  NotePrinter printer(err, verbosity);
+  printer.print_new(notes);
+  printer.print_rest();
 }
 
 // Does not use getrusage: its peak begins with that of the program which started this one.

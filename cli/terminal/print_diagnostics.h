@@ -30,8 +30,24 @@ void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& o
 /// Prints diagnostics, one in each line, in the format of compilers.
 void print(std::ostream& err, const Diagnostics& diagnostics);
 
-/// Prints warnings about the inputs; with -v also notes, with -q nothing. If there are more than a handful, prints
-/// their number.
+/// Prints warnings about the inputs; with -v also notes, with -q nothing. Of more than ten warnings it prints ten and the
+/// number of the others. A list that grows can be printed in steps.
+class NotePrinter {
+ public:
+  NotePrinter(std::ostream& err, const Verbosity& verbosity) : err_(err), verbosity_(verbosity) {}
+
+  /// Prints what `notes` has gained since the last call. Requires that its beginning is as it was then.
+  void print_new(const Diagnostics& notes);
+  /// Prints the number of the warnings that were not printed.
+  void print_rest();
+
+ private:
+  std::ostream& err_;
+  Verbosity verbosity_;
+  std::size_t seen_ = 0, warnings_ = 0;
+};
+
+/// Prints `notes` at once, as NotePrinter does.
 void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity);
 
 /// Returns the maximum memory of this process so far, mapped files included; none if the system does not state it.
