@@ -45,12 +45,14 @@ class FolderLock {
   int handle_ = -1;
 };
 
-// Returns the date of today, or of SOURCE_DATE_EPOCH if it is set:
+// Returns the date of the day that is `days` after today, or after SOURCE_DATE_EPOCH if it is set:
 // https://reproducible-builds.org/specs/source-date-epoch/
-std::string today() {
+std::string date_in(int days) {
+  constexpr std::time_t kDay_s = 86400;
   std::time_t now = std::time(nullptr);
   const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
   if (const auto seconds = parse_integer(fixed != nullptr ? fixed : "")) now = static_cast<std::time_t>(*seconds);
+  now += days * kDay_s;
   std::tm parts{};
   ::gmtime_r(&now, &parts);
   std::array<char, 32> text{};
@@ -96,6 +98,12 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
     return make_error("usage", "accept needs -o FILE, where accepted findings are kept; what is there already stays");
   if (!a.date.empty() && !is_date(a.date)) return usage_error("--date", a.date, "a day like 2026-11-23");
   return std::nullopt;
+}
+
+/// Returns the warning about a date that is not yet anywhere on earth.
+Diagnostics doubts_about_date(const AcceptArguments& a) {
+  if (a.date.empty() || a.date <= date_in(1)) return {};
+  return {make_warning("accept-date", "--date " + a.date + " is in the future; today is " + date_in(0) + " (UTC)")};
 }
 
 void list(const StoredResult& result, std::ostream& out) {
@@ -164,7 +172,7 @@ class Acceptor {
  public:
   Acceptor(const AcceptArguments& arguments, std::vector<Acceptance> accepted)
       : arguments_(arguments),
-        note_{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date},
+        note_{arguments.reason, arguments.by, arguments.date.empty() ? date_in(0) : arguments.date},
         before_(accepted.size()),
         accepted_(std::move(accepted)) {}
 
@@ -247,6 +255,7 @@ int accept(const AcceptArguments& arguments, const std::vector<StoredResult>& re
     if (const Outcome written = write_output(arguments.output, acceptor.bytes(), out); !written)
       return fail(err, {written.error()}, kExitInternal);
   }
+  print(err, doubts_about_date(arguments));
   acceptor.tell(out);
   return acceptor.refused().empty() ? kExitClean : fail(err, acceptor.refused());
 }
