@@ -28,8 +28,13 @@ bool is_file_name(const std::string& word) {
   return !word.starts_with('-') && (word.find_first_of("./") != std::string::npos || fs::exists(word, ignored));
 }
 
-/// Unknown: perhaps the toolpath of a dialect without marks.
-enum class Role { path, part, tools, unknown };
+enum class Role {
+  path,
+  part,
+  tools,
+  foreign,  ///< of a kind that no reader accepts, such as a STEP file
+  unknown   ///< perhaps the toolpath of a dialect without marks
+};
 
 Result<std::string> read_beginning(const std::string& file) {
   constexpr std::size_t kBeginning = 65536;
@@ -50,7 +55,9 @@ Result<std::string> read_beginning(const std::string& file) {
 bool is_tool_library(const std::string& file) {
   constexpr std::uint64_t kMaxLibrary = 10'000'000;
   const Result<ReadTools> tools = read_tools_file(file, kMaxLibrary);
-  return tools || (tools.error().code != "library-foreign" && tools.error().code != "input-too-large");
+  if (tools) return true;
+  const std::string& code = tools.error().code;
+  return code != "library-foreign" && code != "input-too-large" && code != "import-zip";
 }
 
 Result<Role> role_of(const std::string& file) {
@@ -70,23 +77,70 @@ Result<Role> role_of(const std::string& file) {
   if (looks_like_stl(*beginning, fs::file_size(file, ignored)) || has_ending(file, ".stl")) return Role::part;
   if (is_tool_library(file)) return Role::tools;
   if (!recognise_dialect(*beginning).is_fallback || looks_like_cl_data(*beginning)) return Role::path;
+  if (recognise_file(file, *beginning)) return Role::foreign;
   const std::optional<std::string> format = describe_foreign(file, *beginning);
   return format ? Result<Role>(make_error("path-not-cl-data", *format, file)) : Role::unknown;
 }
 
 struct Files {
-  std::vector<std::string> paths, parts, libraries, unknown;
+  std::vector<std::string> paths, parts, libraries, foreign, unknown;
+
+  [[nodiscard]] std::vector<std::string>& of(Role role) {
+    switch (role) {
+      case Role::path:
+        return paths;
+      case Role::part:
+        return parts;
+      case Role::tools:
+        return libraries;
+      case Role::foreign:
+        return foreign;
+      case Role::unknown:
+        break;
+    }
+    return unknown;
+  }
 };
+
+/// Takes foreign files beside a toolpath as the part or the tools that are missing. Their readers then name the kind of
+/// the file, with advice.
+void assign_foreign(Files& files) {
+  if (files.paths.empty()) return;
+  for (const std::string& file : std::exchange(files.foreign, {})) {
+    const Result<std::string> beginning = read_beginning(file);
+    const std::optional<FileKind> kind = beginning ? recognise_file(file, *beginning) : std::nullopt;
+    const bool is_solid = kind && (kind->family == FileFamily::solid || kind->family == FileFamily::mesh);
+    const bool is_document = kind && (kind->family == FileFamily::text || kind->family == FileFamily::document);
+    const bool can_be_tools = files.libraries.empty() && !is_solid;
+    const bool can_be_part = files.parts.empty();
+    const Role role = can_be_tools && (is_document || !can_be_part) ? Role::tools
+                      : can_be_part                                 ? Role::part
+                                                                    : Role::unknown;
+    files.of(role).push_back(file);
+  }
+}
 
 Diagnostic wrong_files(const std::string& message) {
   return make_error("usage", message + "; expected " + kProgramName + " PATH PART.stl [TOOLS] [OPTIONS]");
+}
+
+/// Returns the error about files of which none is a toolpath. A foreign file may stand in the place of one.
+Diagnostic describe_missing_path(const Files& files) {
+  const std::string none = "none of the files is a toolpath";
+  if (files.foreign.empty()) return wrong_files(none);
+  const std::string& file = files.foreign.front();
+  const Result<std::string> beginning = read_beginning(file);
+  if (!beginning) return beginning.error();
+  const std::string format = describe_foreign(file, *beginning).value_or("is no toolpath");
+  const bool is_alone = files.parts.empty() && files.libraries.empty() && files.foreign.size() == 1;
+  return is_alone ? make_error("path-not-cl-data", format, file) : wrong_files(none + ": " + file + " " + format);
 }
 
 std::optional<Diagnostic> find_wrong(const Files& files) {
   if (!files.unknown.empty())
     return wrong_files(listed(files.unknown, " and ") + (files.unknown.size() == 1 ? " is" : " are") +
                        " neither a toolpath nor an STL file nor a tool library that is recognised");
-  if (files.paths.empty()) return wrong_files("none of the files is a toolpath");
+  if (files.paths.empty()) return describe_missing_path(files);
   if (files.paths.size() > 1)
     return make_error("usage",
                       listed(files.paths, " and ") + " are toolpaths; expected one, or gougecheck batch with all");
@@ -114,14 +168,11 @@ Result<std::vector<std::string>> expand_short_line(const std::vector<std::string
   for (auto word = words.begin() + 1; word != option; ++word) {
     const Result<Role> role = role_of(*word);
     if (!role) return role.error();
-    (*role == Role::part      ? files.parts
-     : *role == Role::tools   ? files.libraries
-     : *role == Role::unknown ? files.unknown
-                              : files.paths)
-        .push_back(*word);
+    files.of(*role).push_back(*word);
   }
   // The only candidate is read as a toolpath, with the messages of its reader.
   if (files.paths.empty() && files.unknown.size() == 1) files.paths = std::exchange(files.unknown, {});
+  assign_foreign(files);
   if (const auto wrong = find_wrong(files)) return *wrong;
   const std::string& path = files.paths.front();
   std::vector<std::string> made = {words.front(), "check", path};
