@@ -22,9 +22,11 @@ TableRow text_row(const JobResult& job) {
           time_text(job.seconds),      printable(deepest_text(job))};
 }
 
-// Returns the line with the reason why a job failed or is not fully checked; empty: it has no such reason.
+// Returns the line with the reason why a job failed or is not fully checked, or the number of rapids left out; empty: it has
+// neither.
 std::string reason_line(const JobResult& job) {
   const bool is_open = job.verdict() == std::string_view("not-fully-checked");
+  if (job.counts.skipped > 0 && !is_open) return job.name + ": " + left_out_text(job.counts.skipped);
   if (!job.status || !(job.unit.empty() || is_open)) return {};
   const std::vector<std::string> remarks = job.remarks();
   if (remarks.empty()) return job.unit.empty() ? job.name + ": status " + std::to_string(*job.status) : std::string();

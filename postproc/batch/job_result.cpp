@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lib/base/exit_code.h"
+#include "postproc/report/report_text.h"
 
 namespace gouge {
 
@@ -40,6 +41,7 @@ std::size_t JobResult::gouge_findings() const {
 std::vector<std::string> JobResult::remarks() const {
   std::vector<std::string> remarks;
   for (const Diagnostic& warning : warnings) remarks.push_back(to_text(warning));
+  if (counts.skipped > 0) remarks.push_back(left_out_text(counts.skipped));
   if (!unit.empty()) return remarks;
   std::istringstream lines(messages);
   for (std::string line; std::getline(lines, line);) {

@@ -79,6 +79,13 @@ std::string open_words(const CheckResult& result, const ReportModel* model) {
   return text;
 }
 
+// Returns the words about the moves that have no gouge, after "no" or "no other".
+std::string without_gouge(const CheckResult& result) {
+  const std::size_t rapids = result.counts.skipped, checked = result.verdicts.size() - rapids;
+  if (rapids == 0) return " gouge in " + count_text(checked, "move");
+  return " gouge in the " + count_text(checked, "move") + " checked; " + left_out_text(rapids);
+}
+
 // Returns the first line. `accepting` is the model whose baseline applies; null: none.
 std::string headline(const Checked& checked, const CheckOptions& limits, const std::string& overcut,
                      const ReportModel* accepting) {
@@ -87,10 +94,9 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
   const std::string of_moves = " of " + count_text(result.verdicts.size(), "move");
   switch (accepting != nullptr ? overall_verdict(*accepting) : overall_verdict(result)) {
     case OverallVerdict::accepted_gouges:
-      return accepted_words(*accepting) + ": no other gouge in " + count_text(result.verdicts.size(), "move") +
-             deepest_words(checked, limits);
+      return accepted_words(*accepting) + ": no other" + without_gouge(result) + deepest_words(checked, limits);
     case OverallVerdict::clean:
-      return "clean: no gouge in " + count_text(result.verdicts.size(), "move");
+      return "clean: no" + without_gouge(result);
     case OverallVerdict::not_fully_checked:
       return std::string("not fully checked: no ") + (n.gouge > 0 ? "other " : "") + "gouge found, but " +
              open_words(result, accepting) + (n.gouge > 0 ? "; " + accepted_words(*accepting) : "");
@@ -141,7 +147,7 @@ std::string counts_line(const StateCounts& n) {
   add(n.buried, "buried");
   add(n.not_certified, "not certified");
   add(n.not_checked, "not checked");
-  if (n.skipped > 0) text += " (" + count_text(n.skipped, "rapid") + " left out as asked)";
+  if (n.skipped > 0) text += " (" + left_out_text(n.skipped) + ")";
   return text;
 }
 

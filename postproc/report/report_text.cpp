@@ -61,6 +61,8 @@ std::string grouped_text(std::size_t count) {
   return text;
 }
 
+std::string left_out_text(std::size_t rapids) { return count_text(rapids, "rapid") + " left out as asked"; }
+
 std::string depth_text(double length_mm, LengthUnit unit) {
   const double value = length_mm / mm_per(unit);
   if (!std::isfinite(value)) return "any depth";

@@ -15,6 +15,8 @@ inline constexpr const char* kProjectFile = "project-file";
 
 /// Returns a number with separated thousands: "4,957".
 [[nodiscard]] std::string grouped_text(std::size_t count);
+/// Returns "3 rapids left out as asked", about the moves that --rapid skip does not check.
+[[nodiscard]] std::string left_out_text(std::size_t rapids);
 /// Returns a rounded length in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
 /// Returns a rounded length that is stated together with the limits of the check. It has enough digits to differ from

@@ -16,7 +16,7 @@ namespace {
 
 struct Case {
   std::size_t operation = kNone, tool = kNone;
-  std::size_t moves = 0, gouging = 0, buried = 0, open = 0;
+  std::size_t moves = 0, gouging = 0, buried = 0, open = 0, left_out = 0;
   std::size_t worst_move = kNone;
   std::size_t first_open = kNone;
   std::vector<const Event*> events;
@@ -31,6 +31,8 @@ void count_move(Case& one, const CheckResult& result, std::size_t index, bool is
     if (one.worst_move == kNone || verdict.depth_mm > result.verdicts[one.worst_move].depth_mm) one.worst_move = index;
   } else if (verdict.state == MoveState::buried) {
     ++one.buried;
+  } else if (verdict.reason.is(Reason::Kind::rapid_skipped)) {
+    ++one.left_out;
   } else if (verdict.state == MoveState::not_checked || verdict.state == MoveState::not_certified) {
     ++one.open;
     if (one.first_open == kNone) one.first_open = index;
@@ -44,7 +46,7 @@ std::vector<Case> cases_of(const ReportModel& model) {
   const auto case_of = [&](std::size_t move) -> Case& {
     const std::pair key{moves[move].operation, moves[move].tool};
     const auto [entry, is_new] = known.try_emplace(key, cases.size());
-    if (is_new) cases.push_back(Case{key.first, key.second, 0, 0, 0, 0, kNone, kNone, {}});
+    if (is_new) cases.push_back(Case{.operation = key.first, .tool = key.second, .events = {}});
     return cases[entry->second];
   };
   const std::vector<Event>& events = model.result->events;
@@ -107,6 +109,8 @@ JunitCase case_of(const ReportModel& model, const Case& one) {
     made.failure_text = failure_text(model, one);
   } else if (one.open > 0) {
     made.error_message = open_text(model, one);  // build servers count skipped cases as passed
+  } else if (one.left_out == one.moves) {
+    made.skipped_message = left_out_text(one.left_out);
   }
   return made;
 }
@@ -146,6 +150,8 @@ std::string beside_the_verdict(const ReportModel& model) {
     text += model.toolpath->file + ":" + std::to_string(model.toolpath->moves[event.worst_move].line) + ": accepted " +
             event_text(model, event) + span_text(event) + "\n";
   }
+  if (const std::size_t rapids = model.result->counts.skipped; rapids > 0)
+    text += "note: " + left_out_text(rapids) + "\n";
   text += baseline_lines(model);
   for (const std::string& reservation : reservations(model)) text += "note: " + reservation + "\n";
   for (const Diagnostic& note : model.notes) {

@@ -159,7 +159,8 @@ TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {
   report.result.counts = {8, 0, 0, 0, 0, 0, 0};
   EXPECT_EQ(lines_of(findings_text(report.model))[1], "clean: no gouge in 8 moves");
   report.result.counts = {6, 0, 0, 0, 2, 0, 2};
-  EXPECT_EQ(lines_of(summary_text(report.model))[1], "clean: no gouge in 8 moves");
+  EXPECT_EQ(lines_of(summary_text(report.model))[1],
+            "clean: no gouge in the 6 moves checked; 2 rapids left out as asked");
   EXPECT_EQ(lines_of(summary_text(report.model))[2], "moves: 6 clean, 2 not checked (2 rapids left out as asked)");
   report.result.counts = {5, 0, 0, 0, 3, 0, 2};
   EXPECT_EQ(lines_of(summary_text(report.model))[1],

@@ -102,6 +102,16 @@ TEST(WriteJunit, ShowsWarningsBesideTheTests) {
   EXPECT_EQ(write_junit(report.model).find("system-out"), std::string::npos);
 }
 
+TEST(WriteJunit, SkipsAnOperationOfRapidsThatAreLeftOut) {
+  SmallReport report;
+  for (const std::size_t i : {6U, 7U}) report.result.verdicts[i].reason = {Reason::Kind::rapid_skipped};
+  report.result.counts.skipped = 2;
+  const std::string text = write_junit(report.model);
+  EXPECT_NE(text.find("errors=\"0\" skipped=\"1\""), std::string::npos) << text;
+  EXPECT_NE(text.find("<skipped message=\"2 rapids left out as asked\"/>"), std::string::npos) << text;
+  EXPECT_NE(text.find("note: 2 rapids left out as asked\n"), std::string::npos) << text;
+}
+
 TEST(WriteJunit, FailsTheOperationsThatGougeAndReportsTheOpenOnesAsErrors) {
   const SmallReport report;
   const std::string text = write_junit(report.model);
