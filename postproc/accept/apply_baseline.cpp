@@ -9,6 +9,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/path/motion_key.h"
+#include "postproc/report/baseline_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -47,6 +48,7 @@ class Baseline {
     for (std::size_t k = 0; k < accepted_.size(); ++k) add_entry(k);
     for (const Event& event : model_.result->events) facts_.events.push_back(judge(event));
     for (std::size_t i = 0; i < facts_.events.size(); ++i) explain_changed_motion(i);
+    set_aside_others();
     return std::move(facts_);
   }
 
@@ -148,6 +150,19 @@ class Baseline {
       void_entry(k, why);
       if (judged.entries.empty()) judged.why_not = why;
       judged.entries.push_back(k);
+    }
+  }
+
+  // Marks the entries of other programs that concern no finding here. They keep their effect where they were made.
+  void set_aside_others() {
+    std::set<std::size_t> concerned;
+    for (const EventAcceptance& event : facts_.events) concerned.insert(event.entries.begin(), event.entries.end());
+    for (std::size_t k = 0; k < accepted_.size(); ++k) {
+      BaselineEntry& entry = facts_.entries[k];
+      const bool is_of_other = !entry.toolpath.empty() && !is_same_program(entry.toolpath, model_.toolpath->file);
+      if (!is_of_other || entry.use == BaselineEntry::Use::applied || concerned.contains(k)) continue;
+      entry.use = BaselineEntry::Use::elsewhere;
+      entry.why.clear();
     }
   }
 

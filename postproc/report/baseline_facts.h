@@ -10,15 +10,20 @@ namespace gouge {
 
 /// An acceptance in the file of --baseline.
 struct BaselineEntry {
-  enum class Use { applied, unused, voided };
+  enum class Use {
+    applied,
+    unused,    ///< the accepted motions no longer gouge
+    voided,    ///< `why` states the change
+    elsewhere  ///< made for another program, and no finding of this one has its motions
+  };
 
   std::string by{}, date{}, reason{};  ///< as given at the acceptance
   std::string finding{};               ///< description of the accepted finding
   std::string toolpath{};              ///< file whose finding was accepted
   std::size_t line = 0;                ///< its line there
   std::string text{};                  ///< the entry with its seal, as JSON
-  Use use = Use::unused;               ///< unused: the accepted motions no longer gouge
-  std::string why{};                   ///< if voided: the change that voids it
+  Use use = Use::unused;
+  std::string why{};  ///< if voided: the change that voids it
 };
 
 /// The acceptance of one of CheckResult::events.

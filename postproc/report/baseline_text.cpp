@@ -61,8 +61,10 @@ std::string baseline_counts(const ReportModel& model) {
   const std::size_t others = accepted_through_others(model);
   const std::string through =
       others == 0 ? "" : "; " + count_text(others, "finding") + " accepted" + kThroughEntry + "another program";
+  const std::string elsewhere = count(BaselineEntry::Use::elsewhere);
   return count(BaselineEntry::Use::applied) + " applied, " + count(BaselineEntry::Use::unused) +
-         " with nothing left to accept, " + count(BaselineEntry::Use::voided) + " void" + through;
+         " with nothing left to accept, " + count(BaselineEntry::Use::voided) + " void" +
+         (elsewhere == "0" ? "" : ", " + elsewhere + " of other programs") + through;
 }
 
 std::string baseline_lines(const ReportModel& model) {

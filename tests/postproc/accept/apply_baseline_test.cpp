@@ -104,6 +104,17 @@ TEST(ApplyBaseline, AnotherToolOrSetUpVoids) {
   part.expect_refused("the part is another one");
 }
 
+TEST(ApplyBaseline, AnEntryOfAnotherProgramThatConcernsNothingHereIsSetAside) {
+  Accepted report;
+  report.path.file = "other.apt";
+  report.model.inputs.push_back({"part", "part.stl", 1, "sha256:other"});
+  report.expect_refused("the part is another one");  // the same motions in another set-up
+  for (Move& move : report.path.moves) move.end.tip.z() -= 1e-9;
+  const BaselineEntry entry = report.apply().entries.at(0);
+  EXPECT_EQ(entry.use, BaselineEntry::Use::elsewhere);
+  EXPECT_EQ(entry.why, "");
+}
+
 TEST(ApplyBaseline, WhatIsOpenBesidesIsNot) {
   Accepted report;
   report.result.verdicts[2].reason = {Reason::Kind::of_path, Body::cutter, 0, "the head is not known"};
