@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "cli/commands/batch_results.h"
 #include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
@@ -45,18 +46,19 @@ class FolderLock {
   int handle_ = -1;
 };
 
-// Returns the date of the day that is `days` after today, or after SOURCE_DATE_EPOCH if it is set:
-// https://reproducible-builds.org/specs/source-date-epoch/
-std::string date_in(int days) {
-  constexpr std::time_t kDay_s = 86400;
-  std::time_t now = std::time(nullptr);
-  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
-  if (const auto seconds = parse_integer(fixed != nullptr ? fixed : "")) now = static_cast<std::time_t>(*seconds);
-  now += days * kDay_s;
+std::string date_of(std::time_t seconds) {
   std::tm parts{};
-  ::gmtime_r(&now, &parts);
+  ::gmtime_r(&seconds, &parts);
   std::array<char, 32> text{};
   return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
+}
+
+// Returns the date of today, or of SOURCE_DATE_EPOCH if it is set:
+// https://reproducible-builds.org/specs/source-date-epoch/
+std::string today() {
+  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const auto seconds = parse_integer(fixed != nullptr ? fixed : "");
+  return date_of(seconds ? static_cast<std::time_t>(*seconds) : std::time(nullptr));
 }
 
 bool is_date(const std::string& text) {
@@ -78,10 +80,6 @@ bool is_accepting(const AcceptArguments& a) { return a.is_all || !a.findings.emp
 std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
   if (a.is_all && !a.findings.empty())
     return make_error("usage", "accept takes --all or --finding, and not both: --all accepts every finding");
-  if (a.results.size() > 1 && !a.findings.empty())
-    return make_error("usage",
-                      "accept takes --finding for one result, as each result has its own numbers; give one "
-                      "RESULT, or --all");
   if (!is_accepting(a)) {
     if (a.reason.empty() && a.by.empty() && a.date.empty() && a.output.empty()) return std::nullopt;
     return make_error("usage",
@@ -94,16 +92,20 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
     return make_error("usage", "--finding names finding " + std::to_string(*twice) + " twice; expected each once");
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
   if (is_blank(a.by)) return make_error("usage", "accept needs --by, who accepts it");
-  if (a.output.empty() || a.output == "-")
+  if (a.output.empty())
     return make_error("usage", "accept needs -o FILE, where accepted findings are kept; what is there already stays");
+  if (a.output == "-")
+    return make_error("usage", "-o - is not possible with accept, because it adds to a file; expected -o FILE");
   if (!a.date.empty() && !is_date(a.date)) return usage_error("--date", a.date, "a day like 2026-11-23");
   return std::nullopt;
 }
 
 /// Returns the warning about a date that is not yet anywhere on earth.
 Diagnostics doubts_about_date(const AcceptArguments& a) {
-  if (a.date.empty() || a.date <= date_in(1)) return {};
-  return {make_warning("accept-date", "--date " + a.date + " is in the future; today is " + date_in(0) + " (UTC)")};
+  constexpr std::time_t kDay_s = 86400;
+  const std::time_t now = std::time(nullptr);
+  if (a.date.empty() || a.date <= date_of(now + kDay_s)) return {};
+  return {make_warning("accept-date", "--date " + a.date + " is in the future; today is " + date_of(now) + " (UTC)")};
 }
 
 void list(const StoredResult& result, std::ostream& out) {
@@ -134,7 +136,7 @@ Result<std::vector<Acceptance>> read_existing(const std::string& file, const Inp
 void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
   command
       .add_option("RESULT", arguments.results,
-                  "Results with the findings (the output of --json, or the folder of a report)")
+                  "Results with the findings (the output of --json, the folder of a report, or the folder of a batch)")
       ->type_name("FILE")
       ->required();
   command
@@ -172,7 +174,7 @@ class Acceptor {
  public:
   Acceptor(const AcceptArguments& arguments, std::vector<Acceptance> accepted)
       : arguments_(arguments),
-        note_{arguments.reason, arguments.by, arguments.date.empty() ? date_in(0) : arguments.date},
+        note_{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date},
         before_(accepted.size()),
         accepted_(std::move(accepted)) {}
 
@@ -231,10 +233,31 @@ class Acceptor {
   Diagnostics refused_;
 };
 
-Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments) {
-  std::vector<StoredResult> results;
+/// Returns the files of all results; the folder of a batch stands for the results of its jobs.
+Result<std::vector<std::string>> result_files(const AcceptArguments& arguments) {
+  std::vector<std::string> files;
   for (const std::string& typed : arguments.results) {
-    Result<StoredResult> result = load_result(typed, arguments.input);
+    if (!is_batch_folder(typed)) {
+      files.push_back(result_in(typed));
+      continue;
+    }
+    const Result<std::vector<ListedJob>> jobs = read_batch_jobs(typed, arguments.input);
+    if (!jobs) return jobs.error();
+    const std::size_t before = files.size();
+    for (const ListedJob& job : *jobs)
+      if (!job.result_file.empty()) files.push_back(job.result_file);
+    if (files.size() == before)
+      return make_error("usage",
+                        typed + " is the folder of a batch without reports; run it again without --no-reports");
+  }
+  return files;
+}
+
+Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments,
+                                               const std::vector<std::string>& files) {
+  std::vector<StoredResult> results;
+  for (const std::string& file : files) {
+    Result<StoredResult> result = load_result(file, arguments.input);
     if (!result) return result.error();
     results.push_back(std::move(*result));
   }
@@ -266,9 +289,15 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   if (const auto wrong = find_wrong_word(arguments)) return fail(err, {*wrong});
   const OutputTable outputs = asked_for({{"-o", arguments.output}});
   std::vector<InputOption> inputs;
-  for (const std::string& file : arguments.results) inputs.push_back({"the result", result_in(file)});
+  const Result<std::vector<std::string>> files = result_files(arguments);
+  if (!files) return fail(err, {files.error()});
+  if (files->size() > 1 && !arguments.findings.empty())
+    return fail(err, {make_error("usage",
+                                 "accept takes --finding for one result, as each result has its own numbers; give one "
+                                 "RESULT, or --all")});
+  for (const std::string& file : *files) inputs.push_back({"the result", file});
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
-  const Result<std::vector<StoredResult>> results = read_results(arguments);
+  const Result<std::vector<StoredResult>> results = read_results(arguments, *files);
   if (!results) return fail(err, {results.error()});
   if (is_accepting(arguments)) return accept(arguments, *results, out, err);
   for (const StoredResult& result : *results) list(result, out);

@@ -1,52 +1,20 @@
 #include "cli/commands/compare_batches.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <vector>
 
+#include "cli/commands/batch_results.h"
 #include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
-#include "cli/output/report_folder.h"
 #include "lib/base/exit_code.h"
-#include "lib/base/files.h"
-#include "lib/json/json_file.h"
 #include "postproc/compare/batch_comparison.h"
 
 namespace gouge {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A job of the summary of a batch.
-struct ListedJob {
-  std::string name, verdict;
-  std::string result_file;  ///< empty: the job has no report
-};
-
 using ListedJobs = std::vector<ListedJob>;
-
-Result<ListedJobs> read_jobs(const std::string& folder, const InputLimit& limit) {
-  const std::string file = (fs::path(folder) / kBatchSummaryName).string();
-  const Result<std::string> bytes = read_file(file, limit.max_bytes);
-  if (!bytes) return bytes.error();
-  const Result<JsonFile> json = parse_json(file, *bytes, {"result-syntax", "result-syntax", "the summary of a batch"});
-  if (!json) return json.error();
-  ListedJobs jobs;
-  try {
-    if (json->root.at("format") != "gougecheck-batch") throw std::invalid_argument("another format");
-    for (const auto& job : json->root.at("jobs")) {
-      ListedJob listed{job.at("job"), job.at("verdict"), {}};
-      if (const auto& report = job.at("report"); !report.is_null())
-        listed.result_file = result_in((fs::path(folder) / report.get<std::string>()).parent_path().string());
-      jobs.push_back(std::move(listed));
-    }
-  } catch (const std::exception&) {
-    return make_error("result-format", "is no summary of a batch; expected the folder of batch -o", file);
-  }
-  return jobs;
-}
 
 const ListedJob* find_job(const ListedJobs& jobs, const std::string& name) {
   const auto found = std::ranges::find(jobs, name, &ListedJob::name);
@@ -124,9 +92,9 @@ int run_compare_batches(const CompareArguments& arguments, double same_within_mm
     return fail(err, {make_error("usage", "--html compares two results; two batches are compared with --json FILE")});
   const OutputTable outputs = asked_for({{"--json", arguments.json_file}});
   const Result<bool> taken = is_stdout_taken(outputs);
-  const Result<ListedJobs> before = read_jobs(arguments.before, arguments.input);
+  const Result<ListedJobs> before = read_batch_jobs(arguments.before, arguments.input);
   if (!before) return fail(err, {before.error()});
-  const Result<ListedJobs> after = read_jobs(arguments.after, arguments.input);
+  const Result<ListedJobs> after = read_batch_jobs(arguments.after, arguments.input);
   if (!after) return fail(err, {after.error()});
   if (const auto status = refuse_outputs(results_of(*before, *after), outputs, err)) return *status;
   const Result<BatchComparison> batches = compare_jobs(*before, *after, arguments, same_within_mm);

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <utility>
 
+#include "cli/commands/batch_results.h"
 #include "cli/commands/compare_batches.h"
 #include "cli/commands/compare_paths.h"
 #include "cli/commands/load_result.h"
@@ -11,6 +12,7 @@
 #include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/exit_code.h"
+#include "lib/base/file_kind.h"
 #include "lib/base/files.h"
 #include "postproc/compare/write_comparison.h"
 
@@ -54,6 +56,19 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
       "certified; 5 internal failure or output unwritable.");
 }
 
+namespace {
+
+/// Returns the error about a file that is no result, with the option that compares toolpaths if it is one.
+Diagnostic with_hint_at_paths(Diagnostic error, const InputLimit& limit) {
+  const Result<std::string> bytes =
+      error.code == "result-syntax" ? read_file(error.file, limit.max_bytes) : std::string();
+  if (bytes && looks_like_cl_data(*bytes))
+    error.message = "is a toolpath, not a result; two toolpaths are compared with --paths";
+  return error;
+}
+
+}  // namespace
+
 int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostream& err) {
   if (const auto error = find_contradiction(arguments)) return fail(err, {*error});
   const Result<double> same_within = understand_length("--same-within", arguments.same_within, Minimum::zero);
@@ -63,9 +78,12 @@ int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostre
   if (arguments.are_paths) return run_compare_paths(arguments, *same_within, out, err);
   const bool is_old_batch = is_batch_folder(arguments.before), is_new_batch = is_batch_folder(arguments.after);
   if (is_old_batch && is_new_batch) return run_compare_batches(arguments, *same_within, out, err);
-  if (is_old_batch || is_new_batch)
-    return fail(err, {make_error("usage",
-                                 "one of OLD and NEW is the folder of a batch; expected two of them, or two results")});
+  if (is_old_batch || is_new_batch) {
+    const std::string &batch = is_old_batch ? arguments.before : arguments.after,
+                      &other = is_old_batch ? arguments.after : arguments.before;
+    return fail(
+        err, {make_error("usage", batch + " is the folder of a batch, but " + other + " " + describe_no_batch(other))});
+  }
   const OutputTable outputs = asked_for({{"--html", arguments.html_file}, {"--json", arguments.json_file}});
   const Result<bool> taken = is_stdout_taken(outputs);
   if (const auto status = refuse_outputs(
@@ -73,9 +91,9 @@ int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostre
           err))
     return *status;
   const Result<StoredResult> before = load_result(arguments.before, arguments.input);
-  if (!before) return fail(err, {before.error()});
+  if (!before) return fail(err, {with_hint_at_paths(before.error(), arguments.input)});
   const Result<StoredResult> after = load_result(arguments.after, arguments.input);
-  if (!after) return fail(err, {after.error()});
+  if (!after) return fail(err, {with_hint_at_paths(after.error(), arguments.input)});
   const Comparison comparison = compare_results(*before, *after, {*same_within});
   PendingOutputs pending;
   using Writer = std::string (*)(const Comparison&);

@@ -303,7 +303,7 @@ TEST_F(Accept, ADateInTheFutureIsAWarning) {
   const Outcome early = accepted_on("2199-01-01", "early.json");
   EXPECT_EQ(early.exit_status, 0);
   EXPECT_NE(early.err.find("warning: --date 2199-01-01 is in the future; today is "), std::string::npos) << early.err;
-  EXPECT_EQ(accepted_on("2026-11-23", "past.json").err, "");
+  EXPECT_EQ(accepted_on("2001-01-01", "past.json").err, "");
 }
 
 TEST_F(Accept, AllOfACleanResultIsAnEmptyFile) {
@@ -361,6 +361,44 @@ TEST_F(Accept, ABatchTakesABaselineAndSaysAccepted) {
       shop_.run({"check", "path.apt", "--part", "part.stl", "--baseline", "accepted.json", "--csv", "accepted.json"})
           .exit_status,
       2);
+}
+
+TEST_F(Accept, TheFolderOfABatchStandsForItsResults) {
+  shop_.write("part.stl", plate_stl());
+  for (const char* name : {"one.apt", "two.apt"}) shop_.write(name, path_text(stations(kDeep)));
+  ASSERT_EQ(shop_.run({"batch", "one.apt", "two.apt", "--part", "part.stl", "-o", "night", "-q"}).exit_status, 1);
+  const Words note = {"--reason", "r", "--by", "b", "-o", "accepted.json"};
+  const auto accepted = [&](Words words) {
+    words.insert(words.end(), note.begin(), note.end());
+    return shop_.run(words);
+  };
+  const Outcome single = accepted({"accept", "night", "--finding", "1"});
+  EXPECT_EQ(single.exit_status, 2);
+  EXPECT_NE(single.err.find("--finding for one result"), std::string::npos) << single.err;
+  EXPECT_EQ(accepted({"accept", "night", "--all"}).exit_status, 0);
+  EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), 2U);
+  const Outcome ran = shop_.run(
+      {"batch", "one.apt", "two.apt", "--part", "part.stl", "--baseline", "accepted.json", "-o", "night", "-q"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+}
+
+TEST_F(Accept, StandardOutputIsNoFileToAddTo) {
+  ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
+  const Outcome ran = shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "b", "-o", "-"});
+  EXPECT_EQ(ran.exit_status, 2);
+  EXPECT_NE(ran.err.find("-o - is not possible with accept, because it adds to a file"), std::string::npos) << ran.err;
+}
+
+TEST_F(Accept, EntriesOfOtherProgramsAreNoneThatAreVoid) {
+  accept_deep();
+  shop_.write("other.stl", plate_stl(2));
+  shop_.write("other.apt", path_text(stations({{20, -0.1}, {30, -0.1}})));
+  const Outcome ran = shop_.run({"check", "other.apt", "--part", "other.stl", "--baseline", "accepted.json"});
+  EXPECT_NE(ran.out.find(
+                "acceptances of accepted.json: 0 applied, 0 with nothing left to accept, 0 void, 1 of other programs"),
+            std::string::npos)
+      << ran.out << ran.err;
+  EXPECT_EQ(ran.out.find("void: "), std::string::npos) << ran.out;
 }
 
 TEST_F(Accept, ANumberGivenTwiceIsRefused) {

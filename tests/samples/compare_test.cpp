@@ -213,6 +213,15 @@ TEST_F(Compare, ReadingsOfAPathAreComparedAsJson) {
   EXPECT_EQ(shop_.read("a.apt"), feeds);
 }
 
+TEST_F(Compare, NamesTheOptionForToolpaths) {
+  shop_.write("a.apt", path_text(stations()));
+  const Outcome ran = shop_.run({"compare", "a.apt", "a.apt"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.err.find("a.apt:1: error: is a toolpath, not a result; two toolpaths are compared with --paths"),
+            std::string::npos)
+      << ran.err;
+}
+
 TEST_F(Compare, BatchesAreComparedJobByJob) {
   shop_.write("part.stl", plate_stl());
   const auto batch = [&](const char* folder, const std::vector<std::pair<std::string, std::string>>& paths) {
@@ -247,6 +256,13 @@ TEST_F(Compare, BatchesAreComparedJobByJob) {
                                                 {"compare", "old", "new", "--json", "old/reports/fixed/result.json"}})
     EXPECT_EQ(shop_.run(wrong).exit_status, 2) << wrong.back();
   EXPECT_EQ(shop_.read("old/reports/fixed/result.json"), kept);
+  EXPECT_NE(shop_.run({"compare", "old", "new/reports/fixed"})
+                .err.find("old is the folder of a batch, but new/reports/fixed is the report of one job"),
+            std::string::npos);
+  (void)shop_.run_script("rm new/summary.json");
+  EXPECT_NE(
+      shop_.run({"compare", "old", "new"}).err.find("but new is the folder of a batch that was interrupted; finish"),
+      std::string::npos);
 }
 
 TEST_F(Compare, AResultThatIsNotAsItWasWrittenIsRefused) {
