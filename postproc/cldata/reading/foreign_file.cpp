@@ -49,6 +49,15 @@ bool is_gcode_block(std::string_view line) {
   return words > 0;
 }
 
+// Returns whether a line is one of the macro language of Fanuc and its relatives: "#120=#24", "IF[#1EQ#0]GOTO5",
+// "WHILE[#1LT5]DO1", "END1".
+bool is_macro_line(std::string_view line) {
+  if (line.size() > 1 && line[0] == '#') return is_digit(line[1]) || line[1] == '[';
+  for (const std::string_view word : {"IF[", "IF [", "WHILE[", "WHILE ["})
+    if (starts_with_ignoring_case(line, word)) return true;
+  return line.size() == 4 && starts_with_ignoring_case(line, "END") && is_digit(line[3]);
+}
+
 bool is_comment(std::string_view line) { return line.front() == '(' || line.front() == ';'; }
 
 // Returns whether a line has only numbers, at least three, separated by blanks, commas or semicolons.
@@ -84,7 +93,7 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
     if (is_first && is_program) return kProgram;
     is_first = false;
     if (is_comment(line)) continue;
-    if (is_gcode_block(line)) {
+    if (is_gcode_block(line) || is_macro_line(line)) {
       ++blocks;
     } else if (is_row_of_numbers(line)) {
       ++rows;

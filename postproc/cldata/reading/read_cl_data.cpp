@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/file_kind.h"
 #include "lib/base/stage.h"
 #include "lib/base/units.h"
 #include "postproc/cldata/interpreting/interpreter.h"
@@ -166,7 +167,9 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
         "the file has " + std::to_string(bytes.size()) + " bytes; expected fewer than 4 GiB: divide it by operations",
         file);
   }
-  if (dialect.is_fallback && !is_dialect_given) {
+  // An archive may hold words of a dialect, if they are not compressed.
+  const std::optional<FileKind> kind = recognise_file({}, bytes);
+  if ((dialect.is_fallback && !is_dialect_given) || (kind && kind->family == FileFamily::archive)) {
     if (auto sentence = describe_foreign(file, bytes))
       return make_error("path-not-cl-data", std::move(*sentence), file);
   }

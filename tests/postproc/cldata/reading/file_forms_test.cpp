@@ -236,6 +236,24 @@ TEST(Refused, IsAFileWithoutAPositionThatIsUnderstood) {
   EXPECT_TRUE(outcome.errors.front().message.starts_with("holds no position")) << outcome.errors.front().message;
 }
 
+TEST(Refused, IsAnArchiveAlsoIfItHoldsWordsOfADialect) {
+  const std::string stored = std::string("PK\x03\x04") + "....a.cls" + "TOOL PATH/A,TOOL,B\nUNITS/MM\nGOTO/1,2,3\n";
+  const ReadOutcome outcome = read_toolpath("a.zip", stored);
+  ASSERT_FALSE(outcome.errors.empty());
+  EXPECT_EQ(outcome.errors.front().code, "path-not-cl-data");
+  EXPECT_EQ(outcome.errors.front().message, "is a ZIP archive; unpack it and check the toolpath in it");
+}
+
+TEST(Refused, IsAMacroOfAControl) {
+  const std::string macro =
+      "O9125\n(TILT MACRO)\nIF[#4016EQ69.5] GOTO 5\nG69.5\nN5\nG122.1 (SET RADIUS MODE)\n#120=#24 (X)\n#121=#25\n"
+      "WHILE[#1LT5]DO1\nEND1\nM99\n";
+  const ReadOutcome outcome = read_toolpath("9125.eia", macro);
+  ASSERT_FALSE(outcome.errors.empty());
+  EXPECT_EQ(outcome.errors.front().code, "path-not-cl-data") << to_text(outcome.errors.front());
+  EXPECT_TRUE(outcome.errors.front().message.starts_with("looks like a program for a machine's control"));
+}
+
 TEST(Refused, AsAPartProgramIsOnlyWhatIsWrittenInApt) {
   EXPECT_EQ(error_of("# log\nU = [0.1, 0.2, 0.3]\nV = [1, 2, 3]\ncase 3\n"), "path-no-motion");
   EXPECT_EQ(error_of("time = 12.5\nload = 3\n"), "path-no-motion");
