@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/values/parse_lengths.h"
+#include "lib/base/file_kind.h"
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/heidenhain/tool_table.h"
@@ -123,6 +124,7 @@ Result<ProgramSetup> understand_program(const StatedProgram& stated, const Progr
 }
 
 Result<std::map<int, double>> parse_tool_lengths(const std::string& file, std::string_view text) {
+  text = without_byte_order_mark(text);
   if (is_heidenhain_tool_table(text)) return read_heidenhain_tool_table(file, text);
   std::map<int, double> lengths;
   std::optional<bool> is_csv;

@@ -1,8 +1,10 @@
 #include "cli/machine/program_files.h"
+#include "cli/machine/program_facts.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,14 @@ TEST_F(ProgramFiles, OfANameWithAnEndingAreThatFileAlone) {
   EXPECT_EQ(called("pos.ngc"), Texts{"pos.ngc"});
   EXPECT_EQ(called("pos"), (Texts{"pos.nc", "pos.ngc"}));
   EXPECT_EQ(called("../pos.ngc"), Texts{});
+}
+
+TEST(ToolLengths, MayBeginWithAByteOrderMark) {
+  for (const std::string table : {"tool,length\n6,120.5\n", "T6 Z120.5\n"}) {
+    const auto lengths = parse_tool_lengths("lengths.csv", "\xef\xbb\xbf" + table);
+    ASSERT_TRUE(lengths) << lengths.error().message;
+    EXPECT_EQ(*lengths, (std::map<int, double>{{6, 120.5}}));
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "toolmodels/import/import_tools.h"
 
+#include "lib/base/file_kind.h"
 #include "toolmodels/import/json_entry.h"
 #include "toolmodels/import/quantity.h"
 #include "toolmodels/import/read_any_tools.h"
@@ -31,6 +32,7 @@ JsonKind any_library() { return detail::imported_kind("a tool library of Fusion 
 }  // namespace
 
 std::optional<ImportFormat> recognise_format(std::string_view bytes) {
+  bytes = without_byte_order_mark(bytes);
   if (is_zip(bytes)) return ImportFormat::fusion;
   if (!detail::is_json(bytes) && is_linuxcnc_table(bytes)) return ImportFormat::linuxcnc;
   if (!detail::is_json(bytes)) return has_class_line(bytes) ? std::optional(ImportFormat::nx) : std::nullopt;
@@ -50,6 +52,7 @@ bool is_own_library(const nlohmann::json& root) {
 
 Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes, std::optional<ImportFormat> format,
                                    const ImportOptions& options) {
+  bytes = without_byte_order_mark(bytes);
   if (!format) format = recognise_format(bytes);
   if (!format && detail::is_json(bytes)) {
     const Result<JsonFile> json = parse_json(file, bytes, any_library());
@@ -58,11 +61,8 @@ Result<ImportedTools> import_tools(const std::string& file, std::string_view byt
       return make_error("import-format", "is a tool library of gougecheck already; give it with --tools", file);
   }
   if (!format)
-    return make_error(
-        "import-format",
-        "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor an NX "
-        "tool_database.dat or holder_database.dat, nor a tool table of CAMotics or LinuxCNC; say which with --format",
-        file);
+    return make_error("import-format",
+                      describe_foreign_library(file, bytes) + "; if it is one of these, say which with --format", file);
   switch (*format) {
     case ImportFormat::fusion:
       return import_fusion(file, bytes, options);

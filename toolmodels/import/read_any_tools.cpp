@@ -19,19 +19,6 @@ constexpr const char* kExpected =
     "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb), NX "
     "(tool_database.dat), CAMotics (.json) or LinuxCNC (.tbl)";
 
-// Returns a message that names the format of a file that is neither JSON nor importable, with advice.
-std::string describe_foreign(const std::string& file, std::string_view bytes) {
-  if (detail::without_mark(bytes).empty()) return std::string("the file is empty; ") + kExpected;
-  const std::string expected = std::string("; ") + kExpected;
-  if (bytes.starts_with("solid")) return "the file is a mesh (STL)" + expected;
-  if (looks_like_cl_data(bytes)) return "the file is a toolpath (CL data)" + expected;
-  const std::optional<FileKind> kind = recognise_file(file, bytes);
-  if (!kind) return "the file is no tool library" + expected;
-  const std::string is = "the file is " + std::string(kind->name);
-  if (kind->family == FileFamily::stand_in) return is + "; " + std::string(kind->advice);
-  return is + expected + ", so export the tools as one of these";
-}
-
 // Returns whether JSON is a library of this project: it has "tools", each with a "cutter", or it has "units".
 bool is_ours(const nlohmann::json& root) {
   if (!root.is_object()) return false;
@@ -84,14 +71,26 @@ Result<ReadTools> read_imported(const std::string& file, std::string_view bytes,
 
 }  // namespace
 
+std::string describe_foreign_library(const std::string& file, std::string_view bytes) {
+  if (detail::without_mark(bytes).empty()) return std::string("the file is empty; ") + kExpected;
+  const std::string expected = std::string("; ") + kExpected;
+  if (detail::is_json(bytes)) return "the JSON in this file is no tool library" + expected;
+  if (bytes.starts_with("solid")) return "the file is a mesh (STL)" + expected;
+  if (looks_like_cl_data(bytes)) return "the file is a toolpath (CL data)" + expected;
+  const std::optional<FileKind> kind = recognise_file(file, bytes);
+  if (!kind) return "the file is no tool library" + expected;
+  const std::string is = "the file is " + std::string(kind->name);
+  if (kind->family == FileFamily::stand_in) return is + "; " + std::string(kind->advice);
+  return is + expected + ", so export the tools as one of these";
+}
+
 Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes,
                                  const ImportOptions& facts) {
   if (const std::optional<ImportFormat> format = recognise_format(bytes))
     return read_imported(file, bytes, *format, max_bytes, facts);
-  if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign(file, bytes), file);
+  if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign_library(file, bytes), file);
   const Result<JsonFile> json = parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
-  if (json && !is_ours(json->root))
-    return make_error("library-foreign", std::string("the JSON in this file is no tool library; ") + kExpected, file);
+  if (json && !is_ours(json->root)) return make_error("library-foreign", describe_foreign_library(file, bytes), file);
   Result<ToolLibrary> library = read_tool_library(file, bytes);
   if (!library) return library.error();
   return ReadTools{std::move(*library), {}};

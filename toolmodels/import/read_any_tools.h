@@ -30,6 +30,9 @@ struct ReadTools {
 /// Reads a file as read_any_tools does its bytes. Errors: those of read_file besides.
 [[nodiscard]] Result<ReadTools> read_tools_file(const std::string& file, std::uint64_t max_bytes);
 
+/// Returns what a file is that is no tool library, and what was expected, with advice.
+[[nodiscard]] std::string describe_foreign_library(const std::string& file, std::string_view bytes);
+
 [[nodiscard]] bool is_zip(std::string_view bytes);
 
 /// Returns the first file of the archive whose name ends in `ending`. Errors: import-zip, also for a file larger than

@@ -277,8 +277,9 @@ TEST(ImportTools, JsonOfOtherProgramsIsNoLibraryOfAnyOfThese) {
     ASSERT_FALSE(made.has_value()) << other;
     EXPECT_EQ(
         to_text(made.error()),
-        "t.json: error: this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor "
-        "an NX tool_database.dat or holder_database.dat, nor a tool table of CAMotics or LinuxCNC; say which with --format [import-format]");
+        "t.json: error: the JSON in this file is no tool library; expected a tool library of gougecheck (JSON), Fusion "
+        "(.json or .tools), FreeCAD (.fctl or .fctb), NX (tool_database.dat), CAMotics (.json) or LinuxCNC (.tbl); if it "
+        "is one of these, say which with --format [import-format]");
   }
   EXPECT_EQ(recognise_format(R"({"tools":[{"nr":1,"path":"a.fctb"}]})"), ImportFormat::freecad);
   EXPECT_EQ(recognise_format(R"({"data":[{"type":"holder","segments":[]}]})"), ImportFormat::fusion);

@@ -201,5 +201,14 @@ TEST(ReadAnyTools, AnyOtherFileIsRefusedWithWhatWasExpected) {
       std::string::npos);
 }
 
+TEST(ReadAnyTools, PassesOverAByteOrderMark) {
+  const std::string table = "T6 P6 D6.0 Z+52.3 ;6 mm end mill\n";
+  ASSERT_EQ(recognise_format(table), ImportFormat::linuxcnc);
+  EXPECT_EQ(recognise_format("\xef\xbb\xbf" + table), ImportFormat::linuxcnc);
+  const auto made = import_tools("a.tbl", "\xef\xbb\xbf" + table, std::nullopt, {});
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->notes.size(), import_tools("a.tbl", table, std::nullopt, {})->notes.size());
+}
+
 }  // namespace
 }  // namespace gouge::read_any_tools_test
