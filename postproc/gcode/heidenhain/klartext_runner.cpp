@@ -26,10 +26,12 @@ bool may_state_frame(std::string_view text) {
   return take_keywords(text, "PLANE") || take_keywords(text, "CYCL DEF") || take_keywords(text, "CYCLE DEF");
 }
 
-bool is_known_length(const std::map<int, double>& lengths, int tool, double stated_mm) {
+/// Returns the length of --tool-lengths that a length in the program contradicts; none: it does not.
+std::optional<double> contradicted_length(const std::map<int, double>& lengths, int tool, double stated_mm) {
   constexpr double kSameLength_mm = 1e-6;
   const auto found = lengths.find(tool);
-  return found == lengths.end() || std::abs(found->second - stated_mm) <= kSameLength_mm;
+  if (found == lengths.end() || std::abs(found->second - stated_mm) <= kSameLength_mm) return std::nullopt;
+  return found->second;
 }
 
 }  // namespace
@@ -236,8 +238,14 @@ void KlartextRunner::define_tool(std::string_view text) {
     const KlartextWord& word = words[i];
     const bool is_length = word.has_number("L");
     if (!is_length && !word.has_number("R")) return lose_rest("'" + word_text(word) + "' has no place in TOOL DEF");
-    if (is_length && number && !is_known_length(setup_.lengths_mm, *number, length(word.value)))
-      return lose_rest("TOOL DEF states another length of tool " + std::to_string(*number) + " than --tool-lengths");
+    if (!is_length || !number || facts_.error) continue;
+    const double stated_mm = length(word.value);
+    if (const auto other_mm = contradicted_length(setup_.lengths_mm, *number, stated_mm))
+      facts_.error = make_error("tool-lengths",
+                                "TOOL DEF states a length of " + display_text(stated_mm, 6) + " mm for tool " +
+                                    std::to_string(*number) + ", and --tool-lengths " + display_text(*other_mm, 6) +
+                                    " mm; correct one of them",
+                                input_.path.file, line_);
   }
 }
 

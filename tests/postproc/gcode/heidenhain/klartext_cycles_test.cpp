@@ -147,9 +147,20 @@ TEST(KlartextTools, AreNotCheckedWithOtherLengths) {
   expect_open(kStart + "TOOL CALL 2 X S1\nL X+1\n", "tool axis X");
   expect_open(kStart + "TOOL CALL 2 S1\nL X+1\n", "no tool axis");
   expect_open(kStart + "TOOL CALL 2 Z S1 K5\nL X+1\n", "no place in TOOL CALL");
+}
+
+TEST(KlartextTools, OfTwoLengthsAreRefused) {
   GcodeOptions options;
   options.setup.lengths_mm[3] = 90;
-  expect_open(kStart + "TOOL DEF 3 L+80 R+5\nL X+1\n", "another length", options);
+  const auto errors_of = [&](const std::string& block) {
+    return outcome_of(with_ends(kStart + block + "L X+1\n"), options).errors;
+  };
+  EXPECT_TRUE(errors_of("TOOL DEF 3 L+90 R+5\n").empty());
+  const Diagnostics errors = errors_of("TOOL DEF 3 L+80 R+5\n");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].code, "tool-lengths");
+  EXPECT_EQ(errors[0].message,
+            "TOOL DEF states a length of 80 mm for tool 3, and --tool-lengths 90 mm; correct one of them");
 }
 
 }  // namespace
