@@ -59,10 +59,11 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   if (auto misplaced = find_misplacement(path, setup, result)) {
     fact.basis = Basis::contradicted;
     fact.evidence = std::move(*misplaced);
-    // A unit that the user states is not doubted, but it may be the mistake.
-    const auto size = setup.basis.mesh_unit
-                          ? find_other_size(path, *setup.scene.scene, result.verdicts, *setup.basis.mesh_unit)
-                          : std::nullopt;
+    // A unit that the user states is not doubted, but it may be the mistake. One that is not stated has a fact of its own.
+    const Scene& scene = *setup.scene.scene;
+    const LengthUnit unit = unit_of_meshes(path, setup.basis);
+    const bool is_told = !setup.basis.mesh_unit && find_other_size(path, scene, result.verdicts, unit);
+    const auto size = is_told ? std::nullopt : explain_by_unit(path, scene, unit);
     if (size) fact.evidence += "; " + *size;
   } else if (auto misfit = describe_misfit(path, result.fit)) {
     fact.basis = Basis::contradicted;

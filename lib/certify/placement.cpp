@@ -71,6 +71,16 @@ std::optional<std::string> find_other_size(const Toolpath& path, const Scene& sc
          std::to_string(count.deep) + " of " + std::to_string(count.cuts) + " cuts are in it" + hint;
 }
 
+std::optional<std::string> explain_by_unit(const Toolpath& path, const Scene& scene, LengthUnit unit) {
+  const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
+  if (!parts || !(parts->is_far_smaller() || parts->is_far_larger())) return std::nullopt;
+  const std::string hint = unit_hint(parts->times_smaller, unit);
+  const bool is_smaller = parts->is_far_smaller();
+  if (hint.empty() && !is_smaller) return std::nullopt;
+  return "the part is " + display_text(is_smaller ? parts->times_smaller : 1 / parts->times_smaller, 0) + " times " +
+         (is_smaller ? "smaller" : "larger") + " than the path" + hint;
+}
+
 std::optional<std::string> find_apart(const ClosestApproach& closest_approach) {
   if (closest_approach.positions < ClosestApproach::kMinPositions || !closest_approach.is_apart()) return std::nullopt;
   return apart_text(closest_approach);

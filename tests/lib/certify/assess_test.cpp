@@ -70,6 +70,14 @@ TEST(Assess, AFarSmallerPartContradictsTheUnitOfItsFileUnlessItIsStated) {
   EXPECT_EQ(fact_of(stated, Subject::mesh_unit).basis, Basis::stated);
 }
 
+TEST(Assess, AFarLargerPartThatThePathDoesNotReachNamesTheUnitThatWouldFit) {
+  const Scene large{{shapes::box({500, 500, -20}, {500 + 25.4 * 100, 900, 0})}, {}};
+  const Assumption placement = fact_of(result_of(cuts(0), large, {.mesh_unit = LengthUnit::inch}), Subject::placement);
+  EXPECT_EQ(placement.basis, Basis::contradicted);
+  EXPECT_NE(placement.evidence.find(" times larger than the path; with --stl-units mm it would be"), std::string::npos)
+      << placement.evidence;
+}
+
 TEST(Assess, AnAxisThatTurnsRestsOnTheGreatCircle) {
   Toolpath path = cuts(0);
   EXPECT_EQ(fact_of(result_of(path, floor_scene()), Subject::motion_law).basis, Basis::derived);
