@@ -65,6 +65,8 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
     if (!bytes) return bytes.error();
     gouge::ReadOptions as_before;
     as_before.dialect = gouge::dialect_called(path.dialect);
+    const std::optional<ReadFacts>& facts = checked.path.content().facts;
+    as_before.is_cutcom_centre = facts && !facts->cutcom.empty();
     as_before.harmless_words = path.harmless_words;
     as_before.retract_plane_mm = path.retract_plane_mm;
     if (!path.is_unit_stated) as_before.unit = path.unit;

@@ -316,6 +316,8 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
     if (machine->file) model.inputs.push_back(*machine->file);
     model.more_options = machine->options;
   }
+  if (path.content().facts && !path.content().facts->cutcom.empty())
+    model.more_options.push_back({"cutcom", path.content().facts->cutcom});
   if (stated_tube.tip_mm > 0)
     model.more_options.push_back({"tip-tolerance", gouge::exact_text(stated_tube.tip_mm) + "mm"});
   if (options.tube.axis_rad > 0)

@@ -106,10 +106,9 @@ struct ToolLibrary::Content {
 struct Path::Content {
   gouge::Toolpath path;
   bool is_from_memory = false;
-  std::optional<std::string>
-      read_unit;                // the unit given when its text was read; none: it is not read by its text alone
-  std::string machine;          // of a program: the machine with which it was read, with its facts; empty: none
-  std::string joint_rapid_law;  // of a program
+  std::optional<ReadFacts> facts;  // those with which its text was read; none: it is not read by its text alone
+  std::string machine;             // of a program: the machine with which it was read, with its facts; empty: none
+  std::string joint_rapid_law;     // of a program
   std::vector<Vec3> tips, axes;
   std::vector<MoveKind> kinds;
   std::vector<std::uint32_t> lines;
@@ -120,8 +119,8 @@ struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
   /// Returns the path with the machine with which it was read.
   [[nodiscard]] static Path of_machine(const Path& path, std::string machine, std::string joint_rapid_law);
-  /// Returns the path as one that its text and this unit give.
-  [[nodiscard]] static Path with_read_unit(const Path& path, std::string unit);
+  /// Returns the path as one that its text and these facts give.
+  [[nodiscard]] static Path with_facts(const Path& path, const ReadFacts& facts);
   /// Reads the bytes of a file with the name `name` by the `options`.
   [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes,
                                        const gouge::ReadOptions& options = {});

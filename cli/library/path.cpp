@@ -90,17 +90,27 @@ Path::Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<con
   content_ = PathAccess::from(std::move(path), true).content_;
 }
 
-Path Path::read(const std::string& file, const std::string& unit) {
-  return from_text(value_or_raise(gouge::read_file(file)), file, unit);
+Path Path::read(const std::string& file, const ReadFacts& facts) {
+  return from_text(value_or_raise(gouge::read_file(file)), file, facts);
+}
+
+Path Path::read(const std::string& file, const std::string& unit) { return read(file, ReadFacts{unit, {}}); }
+
+Path Path::from_text(std::string text, const std::string& name, const ReadFacts& facts) {
+  const auto known = gouge::unit_called(facts.unit);
+  const bool is_of_path = known == gouge::LengthUnit::mm || known == gouge::LengthUnit::inch;
+  if (!facts.unit.empty() && !is_of_path)
+    raise(gouge::make_error("usage", "unit '" + facts.unit + "': expected mm or inch", name));
+  if (!facts.cutcom.empty() && facts.cutcom != "centre")
+    raise(gouge::make_error("usage", "cutcom '" + facts.cutcom + "': expected centre", name));
+  gouge::ReadOptions options;
+  options.unit = known;
+  options.is_cutcom_centre = !facts.cutcom.empty();
+  return PathAccess::with_facts(PathAccess::from_bytes(name, std::move(text), options), facts);
 }
 
 Path Path::from_text(std::string text, const std::string& name, const std::string& unit) {
-  const auto known = gouge::unit_called(unit);
-  const bool is_of_path = known == gouge::LengthUnit::mm || known == gouge::LengthUnit::inch;
-  if (!unit.empty() && !is_of_path) raise(gouge::make_error("usage", "unit '" + unit + "': expected mm or inch", name));
-  gouge::ReadOptions options;
-  options.unit = known;
-  return PathAccess::with_read_unit(PathAccess::from_bytes(name, std::move(text), options), unit);
+  return from_text(std::move(text), name, ReadFacts{unit, {}});
 }
 
 Path PathAccess::from_bytes(const std::string& name, std::string bytes, const gouge::ReadOptions& options) {
@@ -117,9 +127,9 @@ Path PathAccess::of_machine(const Path& path, std::string machine, std::string j
   return Path(std::move(content));
 }
 
-Path PathAccess::with_read_unit(const Path& path, std::string unit) {
+Path PathAccess::with_facts(const Path& path, const ReadFacts& facts) {
   auto content = std::make_shared<Path::Content>(path.content());
-  content->read_unit = std::move(unit);
+  content->facts = facts;
   return Path(std::move(content));
 }
 

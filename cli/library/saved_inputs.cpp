@@ -41,7 +41,10 @@ gouge::IndexedMesh mesh_in(const Fields& fields) {
 }
 
 Path path_in(const Fields& fields) {
-  if (fields.contains("text")) return Path::from_text(text_in(fields["text"]), fields.at("name"), fields.at("unit"));
+  if (fields.contains("text")) {
+    const ReadFacts facts{fields.at("unit"), fields.at("cutcom")};
+    return Path::from_text(text_in(fields["text"]), fields.at("name"), facts);
+  }
   std::vector<Vec3> tips, axes;
   std::vector<MoveKind> kinds;
   take_rows(kPathKind, fields.at("tips"), tips);
@@ -90,8 +93,9 @@ std::string Path::to_bytes() const {
                             {"tips", packed_rows(tips())},
                             {"axes", packed_rows(axes())},
                             {"kinds", packed_rows(kinds())}});
-  if (content_->read_unit)
-    return pack(kPathKind, {{"name", name()}, {"text", packed_bytes(text())}, {"unit", *content_->read_unit}});
+  if (const std::optional<ReadFacts>& facts = content_->facts)
+    return pack(kPathKind,
+                {{"name", name()}, {"text", packed_bytes(text())}, {"unit", facts->unit}, {"cutcom", facts->cutcom}});
   raise(gouge::make_error(
       "path-not-saved",
       "a path of a control's program or of a correction depends on more than its text; pass a program by the name of its "

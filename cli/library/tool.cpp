@@ -71,8 +71,13 @@ Tool::Tool(std::string_view shape, const std::map<std::string, double>& dimensio
   if (!holder.empty()) tool["holder"] = segments_json(holder);
   gouge::ToolLibrary library = library_of(tool, "mm");
   // An unknown dimension would be ignored, and the tool would not be the intended one.
-  for (const gouge::Diagnostic& note : library.notes) {
-    if (note.code == "library-unknown-key") raise(gouge::make_error("library-field", note.message, "tool"));
+  for (const auto& [dimension, value] : dimensions) {
+    const bool is_unknown = std::ranges::any_of(library.notes, [&name = dimension](const gouge::Diagnostic& note) {
+      return note.code == "library-unknown-key" && note.message.find('"' + name + '"') != std::string::npos;
+    });
+    if (is_unknown)
+      raise(gouge::make_error("library-field",
+                              "the shape " + std::string(shape) + " has no dimension '" + dimension + "'", "tool"));
   }
   content_ = std::make_shared<Content>(Content{std::move(library.tools.front())});
 }

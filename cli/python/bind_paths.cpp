@@ -19,16 +19,19 @@ Path make_path(const py::args& args, const py::kwargs& given) {
   return Path(rows_of(tips, "tips"), rows_of(axes, "axes", true), flags_of(rapids, "rapids"), name);
 }
 
+ReadFacts read_facts(Keywords& keywords) { return {keywords.text("unit", ""), keywords.text("cutcom", "")}; }
+
 Path path_from_text(const py::args& args, const py::kwargs& given) {
   Keywords keywords("Path.from_text", {"text", "name", "unit"}, args, given);
   const py::object text = keywords.required("text");
-  const std::string name = keywords.text("name", "toolpath"), unit = keywords.text("unit", "");
+  const std::string name = keywords.text("name", "toolpath");
+  const ReadFacts facts = read_facts(keywords);
   keywords.finish();
   if (!py::isinstance<py::bytes>(text) && !py::isinstance<py::str>(text))
     refuse_argument("text", "bytes or a str", text);
   auto bytes = text.cast<std::string>();
   const py::gil_scoped_release release;
-  return Path::from_text(std::move(bytes), name, unit);
+  return Path::from_text(std::move(bytes), name, facts);
 }
 
 ProgramOptions program_options(Keywords& keywords) {
@@ -70,7 +73,7 @@ void bind_paths(py::module_& module) {
   path.def(py::init(&make_path))
       .def_static(
           "from_text", &path_from_text,
-          "from_text(text, name='toolpath', unit='') -> Path\n\nA Path from the text of a file, bytes or str, as "
+          "from_text(text, name='toolpath', unit='', *, cutcom='') -> Path\n\nA Path from the text of a file, bytes or str, as "
           "read_toolpath reads it. name stands for the file in messages and reports.")
       .def_property_readonly(
           "tips", [](const py::object& self) { return view(self.cast<const Path&>().tips(), self); },
@@ -98,13 +101,15 @@ void bind_paths(py::module_& module) {
       "read_toolpath",
       [](const py::args& args, const py::kwargs& given) {
         Keywords keywords("read_toolpath", {"file", "unit"}, args, given);
-        const std::string name = file_of(keywords.required("file")), unit = keywords.text("unit", "");
+        const std::string name = file_of(keywords.required("file"));
+        const ReadFacts facts = read_facts(keywords);
         keywords.finish();
         const py::gil_scoped_release release;
-        return Path::read(name, unit);
+        return Path::read(name, facts);
       },
-      "read_toolpath(file, unit='') -> Path\n\nA Path from CL data: APT, NX CLSF, CATIA, Creo, NCCS, Mastercam NCI and more, recognised by its content. unit: mm "
-      "or inch, of a file that states none.");
+      "read_toolpath(file, unit='', *, cutcom='') -> Path\n\nA Path from CL data: APT, NX CLSF, CATIA, Creo, NCCS, Mastercam NCI "
+      "and more, recognised by its content. unit: mm or inch, of a file that states none. cutcom: 'centre' if positions "
+      "under CUTCOM are those of the cutter centre; otherwise these moves are not checked.");
   module.def(
       "read_program",
       [](const py::args& args, const py::kwargs& given) {

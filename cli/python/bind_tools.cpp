@@ -39,8 +39,15 @@ Tool make_tool(const std::string& shape, const py::args& args, const py::kwargs&
                          std::to_string(args.size()) + " without");
   std::map<std::string, double> dimensions;
   for (const auto& [key, value] : rest) dimensions[key.cast<std::string>()] = number_of(value, py::str(key));
-  return {shape, dimensions, segments_of(shank, "shank"), segments_of(holder, "holder"),
-          name.is_none() ? std::string() : text_of(name, "name")};
+  const std::vector<ToolSegment> shank_segments = segments_of(shank, "shank"),
+                                 holder_segments = segments_of(holder, "holder");
+  try {
+    return {shape, dimensions, shank_segments, holder_segments, name.is_none() ? std::string() : text_of(name, "name")};
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    if (what.find("has no dimension '") == std::string::npos) throw;
+    throw py::type_error("Tool." + shape + "(): " + what);  // a keyword that does not exist
+  }
 }
 
 // Returns the name of a tool, which may also be given as a number.

@@ -30,6 +30,12 @@ struct GOUGECHECK_EXPORT ProgramOptions {
   std::string unit;             ///< mm or inch, for a program that states none
 };
 
+/// Facts about CL data that the file does not state. An empty text states nothing.
+struct GOUGECHECK_EXPORT ReadFacts {
+  std::string unit;    ///< mm or inch, of a file that states none
+  std::string cutcom;  ///< "centre": positions under CUTCOM are those of the cutter centre; else they are not checked
+};
+
 /// A toolpath. Move 0 is the first position alone. Each other move is the motion from the previous position. The tip
 /// runs on the straight line, or on the arc in its file, and the axis on the great circle. Immutable.
 class GOUGECHECK_EXPORT Path {
@@ -42,14 +48,15 @@ class GOUGECHECK_EXPORT Path {
   Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<const bool> rapids = {},
        std::string name = "path");
 
-  /// Reads CL data of any dialect, recognised by its content. `unit` is mm or inch, for a file that states none; empty:
-  /// unknown.
-  /// Throws   Error: the first error of the file (docs/formats/apt_cl.md), or a unit that differs from that of the
-  ///          file.
-  [[nodiscard]] static Path read(const std::string& file, const std::string& unit = "");
+  /// Reads CL data of any dialect, recognised by its content.
+  /// Throws   Error: the first error of the file (docs/formats/apt_cl.md), a unit that differs from that of the file, or a
+  ///          fact that is not one of its values.
+  [[nodiscard]] static Path read(const std::string& file, const ReadFacts& facts = {});
+  [[nodiscard]] static Path read(const std::string& file, const std::string& unit);
 
   /// Reads CL data from memory. `name` stands for the file in messages and reports.
-  [[nodiscard]] static Path from_text(std::string text, const std::string& name, const std::string& unit = "");
+  [[nodiscard]] static Path from_text(std::string text, const std::string& name, const ReadFacts& facts = {});
+  [[nodiscard]] static Path from_text(std::string text, const std::string& name, const std::string& unit);
 
   /// Reads a program of a machine's control as the control runs it. A check of a program that turns rotary joints needs
   /// the machine with which it was read, with the same joints, zero and tool length.

@@ -71,7 +71,9 @@ def test_tools_by_shape_and_from_json():
     with pytest.raises(gougecheck.Error, match="corner_radius") as caught:
         gougecheck.Tool.bull_nose(diameter=16, length=25)
     assert caught.value.code == "library-field"
-    with pytest.raises(gougecheck.Error, match="taper"):
+    with pytest.raises(TypeError, match=r"Tool\.ball\(\): .*the shape ball has no dimension 'lenght'"):
+        gougecheck.Tool.ball(diameter=10, length=30, lenght=5)
+    with pytest.raises(TypeError, match="taper"):
         gougecheck.Tool.ball(diameter=16, length=25, taper=3)
 
 

@@ -45,6 +45,18 @@ def test_a_path_from_a_file_is_read_again_from_its_text(tmp_path):
         assert same(a, b) and str(a) == str(b)
 
 
+def test_positions_of_the_cutter_centre_are_checked_if_stated(tmp_path):
+    file = tmp_path / "a.apt"
+    file.write_text("UNITS/MM\nMULTAX\nGOTO/0,0,5,0,0,1\nCUTCOM/LEFT\nGOTO/1,0,5,0,0,1\nGOTO/3,0,5,0,0,1\nFINI\n")
+    with pytest.raises(gougecheck.Error, match="cutcom 'center': expected centre"):
+        gougecheck.read_toolpath(file, cutcom="center")
+    path = gougecheck.read_toolpath(file, cutcom="centre")
+    for p in (path, again(path)):
+        assert gougecheck.check(p, MESH, TOOL).count(gougecheck.State.NOT_CHECKED) == 0
+    unstated = gougecheck.check(gougecheck.read_toolpath(file), MESH, TOOL)
+    assert unstated.count(gougecheck.State.NOT_CHECKED) > 0
+
+
 def test_a_program_says_what_to_do(tmp_path):
     file = tmp_path / "p.ngc"
     file.write_text("G21 G90 G17 G94 G61\nG0 X0 Y0 Z5\nG1 Z1 F100\nM2\n")
