@@ -28,10 +28,39 @@ std::string overlap_text(const Clash& clash, const std::string& part, const std:
          at + advice;
 }
 
+/// Returns the largest radius of the cutter of a tool; 0 if it has no profile.
+double cutter_radius_mm(const ToolAssembly& tool) {
+  const Result<BodyProfiles> bodies = make_body_profiles(tool);
+  if (!bodies) return 0;
+  double radius_mm = 0;
+  for (const ProfileElement& one : (*bodies)[static_cast<std::size_t>(Body::cutter)].elements)
+    radius_mm = std::max({radius_mm, one.a.x(), one.b.x()});
+  return radius_mm;
+}
+
+/// Returns the warning about a tolerance that hides gouges as deep as a cutter is wide.
+Diagnostics doubts_about_tolerance(const Job& job, const std::string& file) {
+  const ToolAssembly* thinnest = nullptr;
+  double radius_mm = job.options.check.tolerance_mm;
+  for (const auto& tool : job.assemblies) {
+    const double its_mm = tool ? cutter_radius_mm(*tool) : radius_mm;
+    if (!(its_mm < radius_mm)) continue;
+    radius_mm = its_mm;
+    thinnest = &*tool;
+  }
+  if (thinnest == nullptr) return {};
+  const LengthUnit unit = job.toolpath.unit;
+  return {make_warning("tolerance-large",
+                       "the tolerance of " + length_text(job.options.check.tolerance_mm, unit) +
+                           " is more than the cutter radius of tool " + label(*thinnest) + ", " +
+                           length_text(radius_mm, unit) + ": gouges up to this tolerance count as clean",
+                       file)};
+}
+
 }  // namespace
 
 Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene) {
-  Diagnostics notes;
+  Diagnostics notes = doubts_about_tolerance(job, arguments.path);
   std::vector<bool> is_allowed;
   for (const MeshFacts& fixture : job.files->fixtures) {
     const auto& allowed = arguments.allowed_overlaps;

@@ -16,8 +16,8 @@ inline constexpr const char* kFixtureOverlap = "fixture-overlap";
 /// Code of the warning that it could not be certified whether a fixture penetrates a part.
 inline constexpr const char* kFixtureUndecided = "fixture-not-certified";
 
-/// Returns a warning for each fixture that penetrates a part deeper than the tolerance, except those of
-/// --allow-overlap. `scene` is that of the job.
+/// Returns a warning about a tolerance above the radius of a cutter. Also returns one for each fixture that penetrates a
+/// part deeper than the tolerance, except those of --allow-overlap. `scene` is that of the job.
 [[nodiscard]] Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene);
 
 /// Runs find_stickouts for the tools of a job; `result` is that of its check. `is_extended_up` as in JobArguments.

@@ -110,6 +110,27 @@ TEST(SetupNotes, AFixtureThatReachesIntoThePartIsAWarning) {
   EXPECT_EQ(notes[0].severity, Severity::warning);
 }
 
+TEST(SetupNotes, AToleranceAboveTheRadiusOfACutterIsAWarning) {
+  Job job;
+  job.files = std::make_shared<SceneFiles>();
+  ToolAssembly slim;
+  slim.number = 3;
+  slim.cutter = BallCutter{6, 20};
+  job.assemblies = {std::nullopt, slim, ToolAssembly{.cutter = BallCutter{10, 20}}};
+  JobArguments arguments;
+  arguments.path = "op.apt";
+  const PreparedScene prepared(job.files->scene);
+  job.options.check.tolerance_mm = 3;
+  EXPECT_TRUE(setup_notes(job, arguments, prepared).empty());
+  job.options.check.tolerance_mm = 100;
+  const Diagnostics notes = setup_notes(job, arguments, prepared);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(
+      to_text(notes[0]),
+      "op.apt: warning: the tolerance of 100 mm is more than the cutter radius of tool T3, 3 mm: gouges up to this "
+      "tolerance count as clean [tolerance-large]");
+}
+
 TEST(SetupNotes, WhatStaysUndecidedIsAWarningToo) {
   const Diagnostics notes = notes_of(shapes::moved(shapes::open_cube(40), Vec3(30, 30, -10)),
                                      shapes::moved(shapes::open_cube(40), Vec3(40, 40, 0)));
