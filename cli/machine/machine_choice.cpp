@@ -8,6 +8,7 @@
 #include "cli/values/parse_lengths.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
+#include "lib/base/similar_name.h"
 #include "lib/base/units.h"
 #include "lib/machine/joint_law.h"
 #include "lib/machine/law_facts.h"
@@ -132,10 +133,12 @@ Result<Machine> read_stated(const std::string& typed, std::uint64_t max_bytes, s
   if (typed.starts_with(kMachinePreset)) {
     const MachinePreset* const preset = find_preset(std::string_view(typed).substr(kMachinePreset.size()));
     if (preset == nullptr) {
-      std::string known;
-      for (const MachinePreset& one : machine_presets()) known += (known.empty() ? "" : ", ") + std::string(one.name);
-      return make_error("usage",
-                        names.machine + " '" + typed + "': expected a machine file, or preset: and one of " + known);
+      std::vector<std::string> known;
+      for (const MachinePreset& one : machine_presets()) known.emplace_back(one.name);
+      const std::string similar = find_similar_name(std::string_view(typed).substr(kMachinePreset.size()), known);
+      return make_error(
+          "usage", names.machine + " '" + typed + "': expected a machine file, or preset: and one of " + listed(known) +
+                       (similar.empty() ? "" : "; did you mean " + std::string(kMachinePreset) + similar + "?"));
     }
     bytes = preset->text;
     return read_machine(typed, bytes);

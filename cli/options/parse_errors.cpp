@@ -175,8 +175,11 @@ class Command {
       if (option->get_positional()) taken.push_back(option->get_name());
     }
     return "'" + word + "' is one argument too many; " + name_ + " takes " +
-           (taken.empty() ? "options alone" : "one " + listed(taken, " and ") + " beside its options") + see_help();
+           (taken.empty() ? "options alone" : "one " + listed(taken, " and ") + " beside its options") +
+           (is_check() ? ", and gougecheck batch takes several" : "") + see_help();
   }
+
+  [[nodiscard]] bool is_check() const { return app_->get_name() == "check" || app_->get_name() == "correct"; }
 
   // The parser names the option in its text alone.
   [[nodiscard]] const CLI::Option* blamed_option(const std::string& text) const {
@@ -212,8 +215,10 @@ class Command {
 
   // "--rapid: slow not in {straight,dogleg,skip}", or a sentence of our own after the name.
   [[nodiscard]] static std::string wanted(const CLI::Option& option, const std::string& text) {
-    if (const std::vector<std::string> words = choices_in(text); !words.empty())
-      return "expected " + listed(words, " or ");
+    if (const std::vector<std::string> words = choices_in(text); !words.empty()) {
+      const std::string value = option.results().empty() ? "" : in_small_letters(option.results().back());
+      return "expected " + listed(words, " or ") + meant(nearest_name(value, words));
+    }
     const std::size_t ours = text.find("expected ");
     if (ours != std::string::npos) return text.substr(ours);
     return option.get_type_name().find("POSITIVE") != std::string::npos ? "expected a number above 0" : text;
@@ -254,6 +259,10 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   const std::string end = "-" + std::string(word.substr(std::min(word.find_first_not_of('-'), word.size())));
   const auto is_ended = [&](const std::string& name) { return word.starts_with("--") && name.ends_with(end); };
   if (const auto ended = std::find_if(names.begin(), names.end(), is_ended); ended != names.end()) return *ended;
+  // "solidworks" for apt-solidworks-cam.
+  const auto has_part = [&](const std::string& name) { return name.find("-" + std::string(word)) != name.npos; };
+  const auto part = std::find_if(names.begin(), names.end(), has_part);
+  if (part != names.end() && std::none_of(part + 1, names.end(), has_part)) return *part;
   return find_similar_name(word, names);
 }
 

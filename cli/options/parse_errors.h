@@ -30,9 +30,9 @@ namespace gouge {
 /// Returns the names of the commands directly below `app`.
 [[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
 
-/// Returns the one of `names` that `word` was probably meant to be. It is the only one that `word` begins, or that ends
-/// with it, or the nearest by letters that are missing, added, wrong or swapped. Of equals it is the
-/// first. Empty where none is near.
+/// Returns the one of `names` that `word` was probably meant to be. It is the only one that `word` begins, that ends with
+/// it, or that has a part which `word` begins. Else it is the nearest by letters that are missing, added, wrong or
+/// swapped. Of equals it is the first. Empty where none is near.
 [[nodiscard]] std::string nearest_name(std::string_view word, const std::vector<std::string>& names);
 
 /// Returns "; did you mean --part?"; empty for an empty name.

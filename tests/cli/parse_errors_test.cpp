@@ -135,9 +135,10 @@ TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsReported) {
             "gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerance", "1", "--tolerance", "2"}),
             "--tolerance is given 2 times; expected once; see gougecheck check --help");
-  EXPECT_EQ(said({"check", "a.apt", "b.apt", "--part", "p.stl"}),
-            "'b.apt' is one argument too many; gougecheck check takes one PATH beside its options; see gougecheck "
-            "check --help");
+  EXPECT_EQ(
+      said({"check", "a.apt", "b.apt", "--part", "p.stl"}),
+      "'b.apt' is one argument too many; gougecheck check takes one PATH beside its options, and gougecheck batch "
+      "takes several; see gougecheck check --help");
   EXPECT_EQ(said({"mesh", "p.stl", "--fill-holes"}), "--fill-holes requires --repair; see gougecheck mesh --help");
 }
 
@@ -204,6 +205,8 @@ TEST(ParseErrors, TheNearestNameIsNearAndTheOnlyOneBegun) {
   EXPECT_EQ(nearest_name("--xyz", {"--xya", "--xyb"}), "--xya") << "the first of equals";
   EXPECT_EQ(nearest_name("--quite-another", names), "");
   EXPECT_EQ(nearest_name("--units", {"--junit", "--path-units"}), "--path-units") << "the end of a name";
+  EXPECT_EQ(nearest_name("solidworks", {"apt", "apt-solidworks-cam"}), "apt-solidworks-cam") << "a part of a name";
+  EXPECT_EQ(nearest_name("inches", {"mm", "inch", "m"}), "inch");
   EXPECT_EQ(nearest_name("-x", names), "");
   EXPECT_EQ(nearest_name("nx", {"nx-clsf", "apt"}), "nx-clsf") << "two letters that only one begins with";
 }
