@@ -103,6 +103,7 @@ class Resolver {
       ToolFacts facts;
       facts.name = tool.number ? "T" + std::to_string(*tool.number) : tool.name;
       contradiction_.clear();
+      is_of_path_ = false;
       uncertainty_.clear();
       basis_ = Basis::stated;
       if (const auto error = resolve(tool, facts)) return *error;
@@ -141,6 +142,13 @@ class Resolver {
     } else if (!contradiction_.empty()) {
       of_tool.basis = Basis::contradicted;
       of_tool.evidence = contradiction_;
+      if (is_of_path_) {
+        of_tool.code = "cutter-contradiction";
+        of_tool.remedy =
+            "correct the cutter in the toolpath, give the tool with --tools, or state that it is right with "
+            "--assume tool=" +
+            object;
+      }
     } else if (!uncertainty_.empty()) {
       of_tool.code = basis_ == Basis::by_default ? "cutter-length" : "tool-doubtful";
       of_tool.evidence = uncertainty_;
@@ -208,8 +216,12 @@ class Resolver {
           basis_ = Basis::by_default;
           uncertainty_ = note.message;
         }
-        if (note.code == "cutter-contradiction") contradict(note.message);
-        result_.notes.push_back(at(note, tool));
+        if (note.code != "cutter-contradiction") {
+          result_.notes.push_back(at(note, tool));
+          continue;
+        }
+        is_of_path_ = true;
+        contradict(note.message);  // an open fact, which is a warning by itself
       }
       assembly = made->tool;
     }
@@ -341,6 +353,7 @@ class Resolver {
   std::vector<ToolSegment> holder_;
   Basis basis_ = Basis::stated;  // of the tool being resolved, like the next two members
   std::string contradiction_;    // contradictions about it
+  bool is_of_path_ = false;      // they are within the toolpath, not between it and the library
   std::string uncertainty_;      // unknown facts about it
   ResolvedTools result_;
 };

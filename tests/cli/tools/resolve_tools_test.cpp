@@ -179,6 +179,8 @@ TEST(ResolveTools, ACutterWhoseNumbersContradictEachOtherIsContradicted) {
   const Assumption fact = fact_of_tool("UNITS/MM\nLOADTL/1\nCUTTER/12,0,6,4.5,45,0,40\nGOTO/0,0,5\nFINI\n", nullptr);
   EXPECT_EQ(fact.basis, Basis::contradicted);
   EXPECT_NE(fact.evidence.find("f = 4.5 mm do not place the corner"), std::string::npos) << fact.evidence;
+  EXPECT_EQ(fact.code, "cutter-contradiction");
+  EXPECT_TRUE(fact.remedy.starts_with("correct the cutter in the toolpath")) << fact.remedy;
 }
 
 TEST(ResolveTools, WhatALibraryLeavesOutMakesItsToolUnknown) {
