@@ -195,6 +195,10 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
       result.outputs = std::move(*outputs);
       result.key = key_of(text, checksums_of(result.inputs));
     }
+  } else if (const std::string old = "reports/" + job.name + "/report.html";
+             job.has_report && fs::exists(fs::path(folder) / old, ignored)) {
+    result.messages +=
+        to_text(make_note("report-old", "is of an earlier run, in which the job did not fail", old)) + "\n";
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   result.memory_mb = static_cast<double>(peak_memory_bytes().value_or(0) / 1'000'000);
