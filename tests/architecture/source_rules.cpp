@@ -55,11 +55,11 @@ void check_circles(const std::vector<Module>& modules, Complaints& complaints) {
   for (const auto& [room, imports] : open) complaints.push_back(room + ": imports itself through other rooms");
 }
 
+}  // namespace
+
 void complain(Complaints& complaints, const SourceFile& file, std::size_t line, const std::string& what) {
   complaints.push_back(file.path + ":" + std::to_string(line) + ": " + what);
 }
-
-}  // namespace
 
 Complaints check_modules(const std::vector<Module>& modules) {
   Complaints complaints;

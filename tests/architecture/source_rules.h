@@ -12,6 +12,9 @@ namespace gouge::architecture {
 
 using Complaints = std::vector<std::string>;
 
+/// Adds a complaint about a line of a file.
+void complain(Complaints& complaints, const SourceFile& file, std::size_t line, const std::string& what);
+
 /// Rooms import one way: no circles; lib imports only lib; toolmodels and postproc do not know each other;
 /// nobody imports cli or samples, but what lies in folders of cli is for cli; every import is a module.
 [[nodiscard]] Complaints check_modules(const std::vector<Module>& modules);

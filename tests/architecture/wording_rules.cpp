@@ -20,10 +20,6 @@ bool is_product(std::string_view path) {
          path.starts_with("toolmodels/");
 }
 
-void complain(Complaints& complaints, const SourceFile& file, std::size_t line, const std::string& found) {
-  complaints.push_back(file.path + ":" + std::to_string(line) + ": " + found);
-}
-
 /// The text of a comment that is all of a line or ends it; empty: there is none.
 std::string_view comment_of(std::string_view line) {
   const std::size_t at = line.find("//");
