@@ -212,8 +212,10 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
       .add_option("--certificate", a.certificate_file, "Proofs of the same check (the output of check --certificate)")
       ->type_name("FILE");
   command
-      .add_option("--seconds", a.seconds,
-                  "Duration of sampling (default: the end of every move without a proof, and 4000 instants more)")
+      .add_option(
+          "--seconds", a.seconds,
+          "Minimum duration of sampling (default: 0, for the end of every move without a proof and 4000 instants more, "
+          "whatever time they take)")
       ->type_name("SECONDS");
   add_input_limit(command, a.input);
   add_threads_option(command, a.threads);

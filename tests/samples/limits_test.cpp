@@ -1,7 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -25,19 +22,6 @@ class Limits : public testing::Test {
                "0\nendloop\nendfacet\nendsolid\n");
   }
 
-  // With an address space of at most `bytes`: what ulimit -v sets.
-  [[nodiscard]] int status_within(rlim_t bytes, const std::vector<std::string>& arguments) const {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      const rlimit most{bytes, bytes};
-      if (::setrlimit(RLIMIT_AS, &most) != 0) ::_exit(99);
-      ::_exit(run_gougecheck(folder_, arguments).exit_status);
-    }
-    int status = 0;
-    if (::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-    return WEXITSTATUS(status);
-  }
-
   std::string folder_;
 };
 
@@ -58,10 +42,10 @@ TEST_F(Limits, ThreadsBeyondAnyMachineAreRefused) {
 TEST_F(Limits, LittleAddressSpaceEndsInAMessageOrInTheVerdict) {
   bool is_done = false, is_refused = false;
   // Below some 50 MB the system cannot load the program at all.
-  for (const rlim_t megabytes : {80U, 100U, 130U, 160U, 200U, 300U, 1000U}) {
-    const int status =
-        status_within(megabytes * 1'000'000, {"check", "a.cls", "--part", "a.stl", "--report", "report"});
-    const std::string err = text_of(folder_ + "/.stderr");
+  for (const int megabytes : {80, 100, 130, 160, 200, 300, 1000}) {
+    const auto [status, out, err] =
+        run_script(folder_, "ulimit -v " + std::to_string(megabytes * 1'000'000 / 1024) +
+                                "; exec $GOUGECHECK check a.cls --part a.stl --report report");
     if (status == 1) {
       is_done = true;
       continue;
