@@ -63,7 +63,7 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
     const Scene& scene = *setup.scene.scene;
     const LengthUnit unit = unit_of_meshes(path, setup.basis);
     const bool is_told = !setup.basis.mesh_unit && find_other_size(path, scene, result.verdicts, unit);
-    const auto size = is_told ? std::nullopt : explain_by_unit(path, scene, unit);
+    const auto size = is_told ? std::nullopt : explain_by_unit(path, scene, unit, !setup.basis.place.empty());
     if (size) fact.evidence += "; " + *size;
   } else if (auto misfit = describe_misfit(path, result.fit)) {
     fact.basis = Basis::contradicted;

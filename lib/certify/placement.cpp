@@ -71,12 +71,16 @@ std::optional<std::string> find_other_size(const Toolpath& path, const Scene& sc
          std::to_string(count.deep) + " of " + std::to_string(count.cuts) + " cuts are in it" + hint;
 }
 
-std::optional<std::string> explain_by_unit(const Toolpath& path, const Scene& scene, LengthUnit unit) {
+std::optional<std::string> explain_by_unit(const Toolpath& path, const Scene& scene, LengthUnit unit, bool is_moved) {
   const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
-  if (!parts || !(parts->is_far_smaller() || parts->is_far_larger())) return std::nullopt;
+  if (!parts) return std::nullopt;
   const std::string hint = unit_hint(parts->times_smaller, unit);
   const bool is_smaller = parts->is_far_smaller();
-  if (hint.empty() && !is_smaller) return std::nullopt;
+  if (!is_smaller && (hint.empty() || !parts->is_far_larger())) {
+    const auto units = is_moved ? std::vector<const UnitFacts*>() : units_in_place(path, scene, unit);
+    if (units.size() != 1) return std::nullopt;
+    return "with --stl-units " + std::string(units.front()->option) + " the path would lie in the part";
+  }
   return "the part is " + display_text(is_smaller ? parts->times_smaller : 1 / parts->times_smaller, 0) + " times " +
          (is_smaller ? "smaller" : "larger") + " than the path" + hint;
 }

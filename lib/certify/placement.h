@@ -25,9 +25,11 @@ namespace gouge {
                                                          const MoveVerdicts& verdicts, LengthUnit unit);
 
 /// Returns a text if all parts together are many times smaller than the region that the path cuts, or many times larger
-/// and of about its size with another unit of STL files. It is no evidence by itself: a small path on a large part is
-/// usual. It explains a part that the path does not reach.
-[[nodiscard]] std::optional<std::string> explain_by_unit(const Toolpath& path, const Scene& scene, LengthUnit unit);
+/// and of about its size with another unit of STL files. Else returns one if the path would lie in the part with exactly
+/// one other unit and the part is not moved. It is no evidence by itself: a small path on a large part is usual. It
+/// explains a part that the path does not reach.
+[[nodiscard]] std::optional<std::string> explain_by_unit(const Toolpath& path, const Scene& scene, LengthUnit unit,
+                                                         bool is_moved);
 
 /// Returns a text if no examined cutting position is near the part. Requires at least 10 positions to judge.
 [[nodiscard]] std::optional<std::string> find_apart(const ClosestApproach& closest_approach);

@@ -83,6 +83,24 @@ std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit st
   return units;
 }
 
+std::vector<const UnitFacts*> units_in_place(const Toolpath& path, const Scene& scene, LengthUnit stl_unit) {
+  constexpr double kOutside = 0.1, kTimesLarger = 20;
+  const Box3 parts = box_of(workpiece_of(scene)), cuts = box_of_cuts(path);
+  std::vector<const UnitFacts*> units;
+  if (parts.isEmpty() || cuts.isEmpty()) return units;
+  for (const UnitFacts& unit : kUnits) {
+    const double scale = unit.mm / mm_per(stl_unit);
+    Box3 scaled(parts.min() * scale, parts.max() * scale);
+    const double size = size_of(scaled);
+    if (unit.unit == stl_unit || size > kTimesLarger * size_of(cuts)) continue;
+    const Vec3 margin = Vec3::Constant(kOutside * size);
+    scaled.min() -= margin;
+    scaled.max() += margin;
+    if (scaled.contains(cuts)) units.push_back(&unit);
+  }
+  return units;
+}
+
 std::optional<Diagnostic> find_too_far(const IndexedMesh& mesh, const std::string& body, const std::string& advice) {
   if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_within_reach)) return std::nullopt;
   return make_error("mesh-too-far",

@@ -37,6 +37,12 @@ struct PartsBesidePath {
 /// ratio that results with `stl_unit`.
 [[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
 
+/// Returns the units with which the region that the path cuts would lie in the box of the parts, or out of it by a tenth of
+/// its size at most, and the parts would not be larger than the region by more than a factor of 20. Requires parts at the
+/// coordinates of their files.
+[[nodiscard]] std::vector<const UnitFacts*> units_in_place(const Toolpath& path, const Scene& scene,
+                                                           LengthUnit stl_unit);
+
 /// Returns the error for a mesh with a vertex that is beyond kFarthest_mm (reach.h) or is not a number; otherwise
 /// nothing. The message contains `body`, such as "part", and `advice`, which states the object to examine. Code:
 /// mesh-too-far.

@@ -96,6 +96,16 @@ std::string usual_mistake(std::string_view bytes, std::size_t byte) {
   return {};
 }
 
+/// Returns what a file is that is no JSON at all; empty: it begins as JSON, or its kind is not known.
+std::string other_kind(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || bytes[first] == '{' || bytes[first] == '[') return {};
+  if (bytes.substr(first).starts_with("solid")) return "an STL mesh";
+  if (looks_like_cl_data(bytes)) return "a toolpath (CL data)";
+  const std::optional<FileKind> kind = recognise_file({}, bytes);
+  return kind && kind->family != FileFamily::stand_in ? std::string(kind->name) : std::string();
+}
+
 }  // namespace
 
 Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind) {
@@ -111,6 +121,8 @@ Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, con
                         twice->line);
     return parsed;
   } catch (const nlohmann::json::parse_error& error) {
+    if (const std::string other = other_kind(bytes); !other.empty())
+      return make_error(syntax, "is " + other + "; expected " + kind.what + " (JSON)", file);
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
     return make_error(
         syntax, "this is not JSON: " + mistake_at(bytes, byte) + usual_mistake(bytes, byte) + "; expected " + kind.what,

@@ -78,6 +78,19 @@ TEST(Assess, AFarLargerPartThatThePathDoesNotReachNamesTheUnitThatWouldFit) {
       << placement.evidence;
 }
 
+TEST(Assess, ThePartWithinWhichAPathWouldLieWithAnotherUnitIsNamed) {
+  // The path is 100 mm long, at the corner of a part of 400 mm that was read in inches.
+  const auto evidence_of = [](const std::string& place) {
+    const Scene inches{{shapes::box({-254, -254, -2540}, {9906, 7620, -127})}, {}};
+    SetupBasis basis{.mesh_unit = LengthUnit::inch};
+    basis.place = place;
+    return fact_of(result_of(cuts(0), inches, basis), Subject::placement).evidence;
+  };
+  EXPECT_NE(evidence_of("").find("; with --stl-units mm the path would lie in the part"), std::string::npos)
+      << evidence_of("");
+  EXPECT_EQ(evidence_of("0,0,5").find("--stl-units"), std::string::npos) << "the part was moved";
+}
+
 TEST(Assess, AnAxisThatTurnsRestsOnTheGreatCircle) {
   Toolpath path = cuts(0);
   EXPECT_EQ(fact_of(result_of(path, floor_scene()), Subject::motion_law).basis, Basis::derived);

@@ -91,6 +91,15 @@ TEST(JsonFile, TheLineOfAKeyOfSlashesIsThatOfWhatIsAroundIt) {
   EXPECT_EQ(json->lines.at("/" + short_key), 3U);
 }
 
+TEST(JsonFile, NamesTheKindOfAFileThatIsNoJson) {
+  EXPECT_EQ(error_of("<?xml version='1.0'?><a/>"), "a.json: error: is XML; expected a list (JSON) [some-syntax]");
+  EXPECT_EQ(error_of("solid a\nfacet normal 0 0 1\n"),
+            "a.json: error: is an STL mesh; expected a list (JSON) [some-syntax]");
+  EXPECT_EQ(error_of("PARTNO A\nUNITS/MM\nGOTO/1,2,3\n"),
+            "a.json: error: is a toolpath (CL data); expected a list (JSON) [some-syntax]");
+  EXPECT_NE(error_of("some words").find("this is not JSON: there is a mistake"), std::string::npos);
+}
+
 TEST(JsonFile, NamesTheUsualMistakes) {
   const auto error_of = [](const std::string& text) {
     const Result<JsonFile> parsed = parse_json("a.json", text, {"syntax", "twice", "a list"});
