@@ -74,7 +74,10 @@ Result<ToolpathReader> ToolpathReader::make(const ProgramReading& arguments) {
   if (!tolerances) return tolerances.error();
   if (auto error = find_wrong_machine_fact(arguments.stated)) return *error;
   if (arguments.stated.machine.empty()) {
-    reader.set_control(arguments.stated, *tolerances);
+    reader.options_.program =
+        with_control(reader.options_.program, {turn_law_called(arguments.stated.joint_rapid_law),
+                                               reader.tool_length_mm_, stated_tolerance(tolerances->tip_mm.value_or(0)),
+                                               stated_tolerance(tolerances->axis_rad.value_or(0))});
     return reader;
   }
   if (auto error = reader.set_machine(arguments.stated, *tolerances)) return *error;
@@ -87,15 +90,6 @@ std::optional<Diagnostic> ToolpathReader::take_tool_length(const ProgramReading&
   if (!length) return length.error();
   tool_length_mm_ = *length;
   return std::nullopt;
-}
-
-void ToolpathReader::set_control(const StatedMachine& stated, const StatedTolerances& tolerances) {
-  ProgramSetup setup = options_.program ? *options_.program : ProgramSetup{};
-  setup.are_joint_rapids_straight = turn_law_called(stated.joint_rapid_law) == TurnLaw::joint;
-  setup.tool_length_mm = tool_length_mm_;
-  setup.tip_tolerance_mm = stated_tolerance(tolerances.tip_mm.value_or(0));
-  setup.axis_tolerance_rad = stated_tolerance(tolerances.axis_rad.value_or(0));
-  options_.program = std::make_shared<const ProgramSetup>(std::move(setup));
 }
 
 std::optional<Diagnostic> ToolpathReader::set_machine(StatedMachine stated, const StatedTolerances& tolerances) {

@@ -52,8 +52,6 @@ class ToolpathReader {
  private:
   ToolpathReader() = default;
   std::optional<Diagnostic> take_tool_length(const ProgramReading& arguments);
-  /// Sets what is known of the control without a machine, and what its smoothing may cause.
-  void set_control(const StatedMachine& stated, const StatedTolerances& tolerances);
   /// Loads the machine, and sets what the smoothing of its control may cause.
   std::optional<Diagnostic> set_machine(StatedMachine stated, const StatedTolerances& tolerances);
 

@@ -113,6 +113,18 @@ class JobLoader {
     return stated;
   }
 
+  /// Returns what the options state about the control of a program without a machine.
+  [[nodiscard]] ControlFacts control_facts() const {
+    const JobArguments& a = arguments_;
+    const MotionTube& tube = job_.options.check.tube;
+    ControlFacts facts;
+    facts.joint_rapid_law = turn_law_called(a.joint_rapid_law);
+    if (!(job_.options.tool_length_slack_mm > 0)) facts.tool_length_mm = job_.options.tool_length_mm;
+    if (!a.tip_tolerance.empty()) facts.tip_tolerance_mm = tube.tip_mm;
+    if (!a.axis_tolerance.empty()) facts.axis_tolerance_rad = tube.axis_rad;
+    return facts;
+  }
+
   /// Adds the machine and the lengths of tools to the set-up of a program.
   bool complete_program(const std::optional<ChosenMachine>& chosen) {
     const JobArguments& a = arguments_;
@@ -123,12 +135,8 @@ class JobLoader {
     }
     if (!a.reading.tool_lengths.empty()) lengths_input_ = describe_input("tool-lengths", a.reading.tool_lengths, bytes);
     if (!chosen) {
-      if (!job_.options.reading.program) return true;
-      ProgramSetup setup = *job_.options.reading.program;
-      if (!a.tip_tolerance.empty()) setup.tip_tolerance_mm = job_.options.check.tube.tip_mm;
-      setup.are_joint_rapids_straight = turn_law_called(a.joint_rapid_law) == TurnLaw::joint;
-      if (!(job_.options.tool_length_slack_mm > 0)) setup.tool_length_mm = job_.options.tool_length_mm;
-      job_.options.reading.program = std::make_shared<const ProgramSetup>(std::move(setup));
+      if (job_.options.reading.program)
+        job_.options.reading.program = with_control(job_.options.reading.program, control_facts());
       return true;
     }
     const double tip_mm =

@@ -34,6 +34,16 @@ std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const Pro
   return std::make_shared<const ProgramSetup>(std::move(full));
 }
 
+std::shared_ptr<const ProgramSetup> with_control(const std::shared_ptr<const ProgramSetup>& setup,
+                                                 const ControlFacts& facts) {
+  ProgramSetup full = setup ? *setup : ProgramSetup{};
+  full.are_joint_rapids_straight = facts.joint_rapid_law == TurnLaw::joint;
+  full.tool_length_mm = facts.tool_length_mm;
+  full.tip_tolerance_mm = facts.tip_tolerance_mm;
+  full.axis_tolerance_rad = facts.axis_tolerance_rad;
+  return std::make_shared<const ProgramSetup>(std::move(full));
+}
+
 std::optional<Diagnostic> find_other_offset(const Toolpath& before, const Toolpath& path) {
   const bool are_programs = before.dialect == kProgramDialect && path.dialect == kProgramDialect;
   if (!are_programs || before.work_offset == path.work_offset) return std::nullopt;

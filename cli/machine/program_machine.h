@@ -22,6 +22,16 @@ namespace gouge {
                                                                const std::optional<double>& tip_tolerance_mm,
                                                                const std::optional<double>& axis_tolerance_rad);
 
+/// Facts that options state about a control whose machine is not given. None: not stated.
+struct ControlFacts {
+  std::optional<TurnLaw> joint_rapid_law{};
+  std::optional<double> tool_length_mm{}, tip_tolerance_mm{}, axis_tolerance_rad{};
+};
+
+/// Returns the set-up of a program with the facts of its control, without a machine.
+[[nodiscard]] std::shared_ptr<const ProgramSetup> with_control(const std::shared_ptr<const ProgramSetup>& setup,
+                                                               const ControlFacts& facts);
+
 /// Returns the error of a program that cut the stock before a path, if its coordinates are those of another work offset. None:
 /// they are not, or one of both is no program of a control.
 [[nodiscard]] std::optional<Diagnostic> find_other_offset(const Toolpath& before, const Toolpath& path);
