@@ -63,6 +63,19 @@ std::string findings_cell(const JobResult& job) {
       count, count + (accepted > 0 ? "<div class=\"soft\">" + std::to_string(accepted) + " accepted</div>" : ""), "n");
 }
 
+// Returns the moves that are not checked or not certified, without those that were left out as asked.
+std::size_t open_moves(const JobResult& job) {
+  return job.counts.not_checked - job.counts.skipped + job.counts.not_certified;
+}
+
+std::string moves_cell(const JobResult& job) {
+  std::string text = std::to_string(job.moves());
+  if (open_moves(job) > 0) text += "<div class=\"soft\">" + std::to_string(open_moves(job)) + " not checked</div>";
+  if (job.counts.skipped > 0)
+    text += "<div class=\"soft\">" + count_text(job.counts.skipped, "rapid") + " left out</div>";
+  return sorted_by(std::to_string(job.moves()), text, "n");
+}
+
 // Returns the names of the files with a role, each once, in the order of the jobs.
 std::string names_of(const std::vector<JobResult>& jobs, std::string_view role) {
   std::vector<std::string> names;
@@ -90,7 +103,7 @@ std::string page_row(const JobResult& job, std::size_t rank) {
   const std::string state = "<span class=\"state " + verdict + "\">" + verdict + "</span>";
   std::string row = picture_cell(job) + name_cell(job) + sorted_by(std::to_string(rank), state, "k");
   if (!job.status) return row + "<td></td><td></td><td></td><td></td>";
-  row += html_cell(std::to_string(job.moves()), "n") + findings_cell(job);
+  row += moves_cell(job) + findings_cell(job);
   row += sorted_by(job.deepest ? exact_text(job.deepest_mm) : "", xml_escaped(deepest_text(job)), "n");
   return row + html_cell(remark(job));
 }
@@ -111,18 +124,20 @@ std::string banner(const std::vector<JobResult>& jobs) {
 }
 
 std::string numbers(const std::vector<JobResult>& jobs) {
-  std::size_t moves = 0, findings = 0, gouging = 0;
+  std::size_t moves = 0, findings = 0, gouging = 0, open = 0;
   for (const JobResult& job : jobs) {
     moves += job.moves();
     findings += job.gouge_findings();
     gouging += job.counts.gouge + job.counts.buried;
+    open += open_moves(job);
   }
   const auto box = [](const std::string& value, const char* what, const char* css) {
     return std::string("<div class=\"") + css + "\"><b>" + value + "</b><span>" + what + "</span></div>";
   };
   return "<div class=\"numbers\">" + box(std::to_string(jobs.size()), "jobs", "") +
          box(std::to_string(moves), "moves", "") + box(std::to_string(findings), "findings", "") +
-         box(std::to_string(gouging), "gouging moves", gouging > 0 ? "bad" : "") + "</div>\n";
+         box(std::to_string(gouging), "gouging moves", gouging > 0 ? "bad" : "") +
+         (open > 0 ? box(std::to_string(open), "moves not checked", "open") : "") + "</div>\n";
 }
 
 }  // namespace

@@ -365,7 +365,8 @@ TEST_F(Accept, ABatchTakesABaselineAndSaysAccepted) {
 
 TEST_F(Accept, TheFolderOfABatchStandsForItsResults) {
   shop_.write("part.stl", plate_stl());
-  for (const char* name : {"one.apt", "two.apt"}) shop_.write(name, path_text(stations(kDeep)));
+  shop_.write("one.apt", path_text(stations(kDeep)));
+  shop_.write("two.apt", path_text(stations({{60, -0.3}, {70, -0.3}})));
   ASSERT_EQ(shop_.run({"batch", "one.apt", "two.apt", "--part", "part.stl", "-o", "night", "-q"}).exit_status, 1);
   const Words note = {"--reason", "r", "--by", "b", "-o", "accepted.json"};
   const auto accepted = [&](Words words) {

@@ -349,6 +349,19 @@ TEST(Batch, AWrongValueIsReportedInItsLineAlsoInTheDefaults) {
   EXPECT_EQ(error_of("", ",\n \"tolerance\": -1").find("list.json:5: error: job needles: --tolerance"), 0U);
 }
 
+TEST(Batch, CountsTheRapidsThatAreLeftOutAsAsked) {
+  const std::string folder = samples_with_list({"needles"});
+  write_text(folder + "/rapids.apt",
+             "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,900\nRAPID\nGOTO/10,0,900\nGOTO/20,0,900\nFINI\n");
+  const Outcome ran = run_batch(
+      folder, {"rapids.apt", "--part", "needles/part.stl", "--rapid", "skip", "--assume", "placement", "-o", "out"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("\nrapids: 1 rapid left out as asked\n"), std::string::npos) << ran.out;
+  const std::string page = text_of(folder + "/out/index.html");
+  EXPECT_NE(page.find("<div class=\"soft\">1 rapid left out</div>"), std::string::npos);
+  EXPECT_EQ(text_of(folder + "/out/junit.xml").find("<error"), std::string::npos);
+}
+
 TEST(Batch, LooksIntoLinkedFoldersAndOverlooksNoDeadLink) {
   const std::string folder = samples_with_list({"needles"});
   const Outcome ran = run_script(
