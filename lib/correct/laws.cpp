@@ -1,6 +1,7 @@
 #include "lib/correct/laws.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "lib/correct/plan_holes.h"
@@ -11,13 +12,14 @@ namespace {
 
 constexpr double kSameTurn_rad = 0.05;  // far more than the rounding of an arc's digits, far less than a turn in the
                                         // other direction
+constexpr double kDigits_mm = 0.006;
 const std::optional<PathArc> kStraight;
 
 bool is_same_pose(const Pose& a, const Pose& b) { return a.tip == b.tip && a.axis == b.axis; }
 
 // Returns whether the poses agree up to the digits of a file in which a position is written again.
 bool is_near(const Pose& a, const Pose& b) {
-  constexpr double kDigits_mm = 0.006, kDigitsOfAxis = 1e-5;
+  constexpr double kDigitsOfAxis = 1e-5;
   return (a.tip - b.tip).norm() <= kDigits_mm && (a.axis - b.axis).norm() <= kDigitsOfAxis;
 }
 
@@ -96,9 +98,9 @@ class LawsCheck {
     for (std::size_t k = span.first; k < span.last; ++k) {
       const MoveVerdict& is = after_.result->verdicts[k];
       if (!is_no_worse_than(was, is, options_.resolution_mm)) return false;
-      if (is.state == MoveState::gouge && old.has_start && old.curve_kind == CurveKind::none &&
-          old.kind != MoveKind::cycle && !is_programmed_or_shift(i, k, span))
-        return false;
+      if (is.state != MoveState::gouge || !old.has_start || old.kind == MoveKind::cycle) continue;
+      const bool is_curve = old.curve_kind != CurveKind::none;
+      if (is_curve ? !is_on_programmed_arc(i, k) : !is_programmed_or_shift(i, k, span)) return false;
     }
     return true;
   }
@@ -118,6 +120,20 @@ class LawsCheck {
     const bool is_first = k == span.first, is_last = k + 1 == span.last;
     return (is_first && !is_last && is_near(b.moves[k].end, a.start_of(i))) ||
            (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end));
+  }
+
+  /// Returns whether piece `k` runs on the circle of arc `i`, with the same tool axis. A curve that became straight moves,
+  /// or an arc with another radius, must not gouge: it could cut places that the programmed curve did not cut, and many
+  /// moves would stay in place of one without any gain.
+  [[nodiscard]] bool is_on_programmed_arc(std::size_t i, std::size_t k) const {
+    const Toolpath &a = *before_.path, &b = *after_.path;
+    const Move &old = a.moves[i], &own = b.moves[k];
+    if (old.curve_kind != CurveKind::arc || own.curve_kind != CurveKind::arc || !own.has_start) return false;
+    const PathArc &was = a.arcs[old.curve], &is = b.arcs[own.curve];
+    const double radius_mm = (a.start_of(i).tip - was.center).norm(), now_mm = (b.start_of(k).tip - is.center).norm();
+    const bool is_same_circle =
+        is_near({is.center, is.axis}, {was.center, was.axis}) && std::abs(now_mm - radius_mm) <= kDigits_mm;
+    return is_same_circle && is_near(b.moves[k].end, {own.end.tip, old.end.axis});
   }
 
   /// Returns whether the tool passes the pose on straight move `i`. A straight motion between two such poses is a part

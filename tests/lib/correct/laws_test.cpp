@@ -117,6 +117,46 @@ TEST(Laws, AnArcThatReadsAsAnotherIsWorseHoweverCleanItIs) {
   EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2})) << "straight";
 }
 
+// A half circle about (15, 0, 0) that becomes two moves over (15, -5, 0); both verdicts are gouges of the same depth.
+TEST(Laws, APieceOfACurveMayGougeOnItsOwnCircleAlone) {
+  Two two;
+  const PathArc whole{Vec3(15, 0, 0), Vec3::UnitZ(), 3.14}, half{Vec3(15, 0, 0), Vec3::UnitZ(), 1.57};
+  PathChange change{2, std::nullopt, {paths::upright(15, -5, 0)}};
+  change.new_arc = half;
+  change.inserted_arcs = {half};
+  two.changes = {change};
+  two.before.arcs = {whole};
+  two.after.arcs = {half};
+  for (Toolpath* path : {&two.before, &two.after}) {
+    path->moves[2].kind = MoveKind::arc;
+    path->moves[2].curve_kind = CurveKind::arc;
+    path->moves[2].curve = 0;
+  }
+  Move inserted = two.after.moves[2];
+  inserted.end.tip = Vec3(15, -5, 0);
+  two.after.moves.insert(two.after.moves.begin() + 2, inserted);
+  two.was.verdicts[2] = verdict(MoveState::gouge, 0.1);
+  two.is.verdicts[2] = verdict(MoveState::gouge, 0.1);
+  two.is.verdicts.push_back(verdict(MoveState::clean));
+  EXPECT_TRUE(two.worse().empty()) << "a part of the programmed arc";
+  two.after.arcs[0].center.y() = 0.1;
+  EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2})) << "another circle";
+  two.is.verdicts[2] = verdict(MoveState::clean);
+  EXPECT_TRUE(two.worse().empty()) << "which is clean";
+
+  two.after.arcs[0] = half;
+  two.changes[0].new_arc.reset();
+  two.changes[0].inserted_arcs.clear();
+  two.changes[0].is_straightened = true;
+  for (const std::size_t k : {2U, 3U}) {
+    two.after.moves[k].kind = MoveKind::feed;
+    two.after.moves[k].curve_kind = CurveKind::none;
+  }
+  EXPECT_TRUE(two.worse().empty()) << "clean straight moves";
+  two.is.verdicts[3] = verdict(MoveState::gouge, 0.05);
+  EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2})) << "a straight move that still gouges, if less deep";
+}
+
 TEST(Laws, AnotherNumberOfMovesIsWorseEverywhere) {
   Two two;
   two.after.moves.pop_back();
