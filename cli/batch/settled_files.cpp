@@ -14,6 +14,7 @@
 #include "cli/batch/batch_job.h"
 #include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
+#include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/batch/batch_page.h"
 #include "postproc/batch/batch_text.h"
@@ -99,6 +100,18 @@ std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& fi
 void print_batch(std::ostream& out, const std::vector<JobResult>& results) {
   constexpr std::size_t kMaxRows = 50;
   out << batch_text(results, is_terminal(out) ? kMaxRows : results.size(), terminal_columns(out));
+}
+
+void print_warnings(std::ostream& out, std::ostream& err, const std::vector<JobResult>& results, bool is_verbose) {
+  std::size_t count = 0;
+  for (const JobResult& job : results) {
+    if (job.unit.empty()) continue;  // its errors are in the table
+    count += job.warnings.size();
+    if (!is_verbose) continue;
+    for (const Diagnostic& warning : job.warnings)
+      err << "job " << printable(job.name) << ": " << to_text(warning) << "\n";
+  }
+  if (count > 0 && !is_verbose) out << count_text(count, "warning") << "; -v lists them\n";
 }
 
 void print_failures(std::ostream& err, const std::vector<JobResult>& results) {

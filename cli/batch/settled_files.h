@@ -51,7 +51,7 @@ class SettledFiles {
 };
 
 /// Name of the store in the folder of a batch.
-inline constexpr const char* kStoreName = "results.sqlite";
+inline constexpr const char* kStoreName = kBatchStoreName;
 
 /// Writes index.html, summary.csv, summary.json, junit.xml and findings.sarif, all of them or none. Requires that
 /// `folder` is open. Errors: those of ReportFolder.
@@ -65,6 +65,9 @@ inline constexpr const char* kStoreName = "results.sqlite";
 
 /// Prints the table of the jobs; on a terminal only its first rows.
 void print_batch(std::ostream& out, const std::vector<JobResult>& results);
+
+/// Prints the warnings of the jobs that were checked with `is_verbose`, else their number.
+void print_warnings(std::ostream& out, std::ostream& err, const std::vector<JobResult>& results, bool is_verbose);
 
 /// Prints the errors of jobs without a result, as their commands reported them. With -q nothing else is printed.
 void print_failures(std::ostream& err, const std::vector<JobResult>& results);

@@ -90,6 +90,8 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
   std::ranges::sort(numbers);
   if (const auto twice = std::ranges::adjacent_find(numbers); twice != numbers.end())
     return make_error("usage", "--finding names finding " + std::to_string(*twice) + " twice; expected each once");
+  for (const auto& [option, typed] : {std::pair("--reason", &a.reason), std::pair("--by", &a.by)})
+    if (!is_utf8(*typed)) return usage_error(option, *typed, "text in UTF-8");
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
   if (is_blank(a.by)) return make_error("usage", "accept needs --by, who accepts it");
   if (a.output.empty())
@@ -238,6 +240,7 @@ Result<std::vector<std::string>> result_files(const AcceptArguments& arguments) 
   std::vector<std::string> files;
   for (const std::string& typed : arguments.results) {
     if (!is_batch_folder(typed)) {
+      if (const auto interrupted = refuse_batch_folder(typed)) return *interrupted;
       files.push_back(result_in(typed));
       continue;
     }

@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStore = "results.sqlite";
-
 }  // namespace
 
 Result<std::vector<ListedJob>> read_batch_jobs(const std::string& folder, const InputLimit& limit) {
@@ -44,7 +42,7 @@ std::string describe_no_batch(const std::string& name) {
   const fs::path path(name);
   if (!fs::exists(path, ignored)) return "does not exist";
   if (!fs::is_directory(path, ignored)) return "is a file; expected the folder of another batch";
-  if (fs::exists(path / kStore, ignored))
+  if (fs::exists(path / kBatchStoreName, ignored))
     return "is the folder of a batch that was interrupted; finish it with gougecheck batch ... --resume";
   if (fs::exists(result_in(name), ignored)) return "is the report of one job; expected the folder of another batch";
   return "has neither the results of a batch nor those of a job";

@@ -248,6 +248,13 @@ int run_verify(const VerifyArguments& typed, std::ostream& out, std::ostream& er
   if (!bytes) return fail(err, {bytes.error()});
   Result<ClaimedResult> result = read_claimed_result(a.result_file, bytes->bytes);
   if (!result) return fail(err, {result.error()}, kExitInput);
+  if (!result->not_recorded.empty() && result->digest == DigestState::right)
+    return fail(err,
+                {make_error("verify-input",
+                            "the result does not name the file of the " + result->not_recorded +
+                                ", which was given to the library or to Python; expected a result of gougecheck check",
+                            a.result_file)},
+                kExitInput);
   result->arguments.input = a.input;
   result->options.check.threads = a.threads;
   FileView certificate;

@@ -49,6 +49,7 @@ class ClaimTaker {
     for (const Assumption& fact : record_.assumptions) take_fact(fact);
     const std::vector<JsonField> inputs = root_.at("inputs").list();
     for (std::size_t k = 0; k < record_.inputs.size(); ++k) take_input(inputs[k], record_.inputs[k]);
+    result_.not_recorded = first_not_recorded();
     take_options(record_.options);
     if (result_.arguments.has_warnings_as_errors) take_warnings();
     result_.totals = record_.totals;
@@ -59,6 +60,21 @@ class ClaimTaker {
   }
 
  private:
+  /// The library, also in Python, checks meshes and tools that are in memory, and records no file of them.
+  [[nodiscard]] std::string first_not_recorded() const {
+    if (result_.arguments.path.empty()) return "toolpath";
+    if (record_.parts.size() > named_parts_.size()) return "part " + record_.parts[named_parts_.size()].name;
+    if (record_.fixtures.size() > named_fixtures_.size())
+      return "fixture " + record_.fixtures[named_fixtures_.size()].name;
+    const auto is_recorded = [&](const ToolRecord& tool) {
+      return tool.defined_in.empty() || std::ranges::any_of(record_.inputs, [&](const InputFile& input) {
+               return tool.defined_in == input.name || tool.defined_in.starts_with(input.name + ":");
+             });
+    };
+    const auto other = std::ranges::find_if_not(record_.tools, is_recorded);
+    return other == record_.tools.end() ? std::string() : "tool " + other->name;
+  }
+
   void take_fact(const Assumption& fact) {
     const std::string name = subject_name(fact.subject);
     if (fact.is_open) {

@@ -20,8 +20,9 @@ struct ClaimedResult {
   JobArguments arguments;  ///< files, tools and options for reading them, as given to the command that wrote the result
   JobOptions options;
   std::vector<InputFile> inputs;
-  std::string program;  ///< name and version
-  std::string verdict;  ///< the word that the result states
+  std::string not_recorded;  ///< the first part, fixture or tool whose file the result does not name; empty: none
+  std::string program;       ///< name and version
+  std::string verdict;       ///< the word that the result states
   int exit_status = 0;
   bool has_baseline = false;                                 ///< some gouges may be accepted
   bool has_excess = false;                                   ///< material left on the parts was asked for

@@ -159,9 +159,7 @@ UnderstoodCheck understand(const CheckOptions& options) {
 
 /// Returns the path with the joints of a machine.
 Path with_joints(const Path& path, const PathMachine& machine) {
-  const Path::Content& content = path.content();
-  return PathAccess::of_machine(PathAccess::from(joints_added(content.path, machine), content.is_from_memory),
-                                content.machine, content.joint_rapid_law);
+  return PathAccess::with_origin_of(path, joints_added(path.content().path, machine));
 }
 
 CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
@@ -208,8 +206,7 @@ Path with_every_tool_named(const Path& path) {
   for (gouge::Move& move : named.moves) {
     if (is_unnamed(move)) move.tool = tool;
   }
-  return PathAccess::of_machine(PathAccess::from(std::move(named), path.content().is_from_memory),
-                                path.content().machine, path.content().joint_rapid_law);
+  return PathAccess::with_origin_of(path, std::move(named));
 }
 
 gouge::Toolpath joints_added(gouge::Toolpath path, const PathMachine& machine) {

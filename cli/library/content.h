@@ -119,6 +119,8 @@ struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
   /// Returns the path with the machine with which it was read.
   [[nodiscard]] static Path of_machine(const Path& path, std::string machine, std::string joint_rapid_law);
+  /// Returns another path with the machine and the facts with which `path` was read.
+  [[nodiscard]] static Path with_origin_of(const Path& path, gouge::Toolpath other);
   /// Returns the path as one that its text and these facts give.
   [[nodiscard]] static Path with_facts(const Path& path, const ReadFacts& facts);
   /// Reads the bytes of a file with the name `name` by the `options`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/library/content.h"
+#include "lib/base/file_kind.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/check/reach.h"
@@ -33,6 +34,15 @@ void append(std::string& text, const gouge::Vec3& v) {
     text += k == 0 ? "" : ",";
     text += gouge::exact_text(v[k]);
   }
+}
+
+/// Returns the error of a reader with the one that reads the file, if it was given to the wrong one.
+gouge::Diagnostic with_other_reader(gouge::Diagnostic error, bool is_program, bool may_be_cl_data) {
+  if (!is_program && error.code == "gcode-control")
+    error.message = "is a program of a machine's control; read it with read_program and the control";
+  if (is_program && may_be_cl_data && error.code == "path-no-motion")
+    error.message = "is CL data, not a program of a machine's control; read it with Path::read (Python: read_toolpath)";
+  return error;
 }
 
 /// Returns positions and axes with all digits as APT, without feeds, which a path from memory does not have.
@@ -114,8 +124,10 @@ Path Path::from_text(std::string text, const std::string& name, const std::strin
 }
 
 Path PathAccess::from_bytes(const std::string& name, std::string bytes, const gouge::ReadOptions& options) {
+  const bool is_program = options.dialect && options.dialect->id == gouge::gcode_dialect().id;
+  const bool may_be_cl_data = is_program && gouge::looks_like_cl_data(bytes);
   gouge::ReadOutcome outcome = gouge::read_toolpath(name, std::move(bytes), options);
-  if (!outcome.toolpath) raise(outcome.errors.front());
+  if (!outcome.toolpath) raise(with_other_reader(outcome.errors.front(), is_program, may_be_cl_data));
   require_path_reach(*outcome.toolpath);
   return from(std::move(*outcome.toolpath), false);
 }
@@ -124,6 +136,15 @@ Path PathAccess::of_machine(const Path& path, std::string machine, std::string j
   auto content = std::make_shared<Path::Content>(path.content());
   content->machine = std::move(machine);
   content->joint_rapid_law = std::move(joint_rapid_law);
+  return Path(std::move(content));
+}
+
+Path PathAccess::with_origin_of(const Path& path, gouge::Toolpath other) {
+  const Path::Content& origin = path.content();
+  auto content = std::make_shared<Path::Content>(from(std::move(other), origin.is_from_memory).content());
+  content->machine = origin.machine;
+  content->joint_rapid_law = origin.joint_rapid_law;
+  content->facts = origin.facts;
   return Path(std::move(content));
 }
 

@@ -12,6 +12,7 @@
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
+#include "lib/base/printable_text.h"
 #include "postproc/export/write_scene.h"
 
 namespace gouge {
@@ -402,6 +403,8 @@ Result<JobOptions> understand(const JobArguments& a) {
   options.check.law = rapid_called(a.rapid).value_or(RapidMode::straight);
   options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMaxThreads));
   options.progress = understand_progress(a.progress);
+  for (const auto& [option, typed] : {std::pair("--project", &a.project), std::pair("--reviewer", &a.reviewer)})
+    if (!is_utf8(*typed)) return usage_error(option, *typed, "text in UTF-8");
   Result<std::string> date = date_of_report();
   if (!date) return date.error();
   options.date = std::move(*date);

@@ -35,8 +35,11 @@ std::vector<Target> targets_of(const Output& output) {
 // Returns the place to which a name leads, also if no file exists there yet.
 fs::path path_of(const std::string& name) {
   const Result<std::string> target = follow_links(name);
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(target ? *target : name, ignored), ignored);
+  std::error_code failed;
+  const fs::path absolute = fs::absolute(target ? *target : name, failed);
+  // Fails for names that are too long, which are different files all the same.
+  const fs::path canonical = fs::weakly_canonical(absolute, failed);
+  return failed ? absolute.lexically_normal() : canonical;
 }
 
 bool is_same_file(const std::string& a, const std::string& b) {

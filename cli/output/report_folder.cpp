@@ -25,6 +25,12 @@ namespace fs = std::filesystem;
 constexpr const char* kPrefix = ".gougecheck-report-";  // of temporary names of files
 constexpr std::uintmax_t kLargestManifest = 1 << 16;
 
+constexpr const char* kResultName = "result.json";
+
+bool has_name(const std::vector<std::string>& names, const char* name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 // Reads a manifest; none if the file is not a manifest of ours. Errors: a file that cannot be read, as it may be ours.
 Result<std::optional<ReportManifest>> manifest_of(const std::string& path) {
   std::error_code error;
@@ -91,6 +97,12 @@ Outcome ReportFolder::look() {
     if (!read) return read.error();
     manifest = std::move(*read);
   }
+  const bool is_for_batch = has_name(names_, kBatchSummaryName);
+  const char* const marker = is_for_batch ? kResultName : kBatchSummaryName;
+  if (manifest && !is_forced_ &&
+      std::ranges::any_of(manifest->files, [&](const auto& file) { return file.name == marker; }))
+    return foreign(is_for_batch ? "is the folder of a report, which a batch would take over; name another folder"
+                                : "is the folder of a batch, which a report would take over; name another folder");
   const auto plain = [](const std::string& file) { return fs::path(file).lexically_normal(); };
   const bool is_of_other = manifest && !manifest->toolpath.empty() && plain(manifest->toolpath) != plain(toolpath_);
   replaced_ = is_of_other ? manifest->toolpath : "";
@@ -244,7 +256,7 @@ const std::vector<std::string>& names_of_report() {
   // Pictures are event_1.png to event_9.png. A report has no more, and a longer number may be a date in a file of the
   // user.
   static const std::vector<std::string> kNames = {
-      "report.html",          "result.json", "moves.csv",   "before_after.png", "tilt_field.png", "heat_map.png",
+      "report.html",          kResultName,   "moves.csv",   "before_after.png", "tilt_field.png", "heat_map.png",
       "depth_along_path.png", "event_1.png", "event_2.png", "event_3.png",      "event_4.png",    "event_5.png",
       "event_6.png",          "event_7.png", "event_8.png", "event_9.png",      kManifestName};
   return kNames;
@@ -253,7 +265,7 @@ const std::vector<std::string>& names_of_report() {
 std::string result_in(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(file, ignored)) return file;
-  return file + (file.ends_with('/') ? "" : "/") + "result.json";
+  return file + (file.ends_with('/') ? "" : "/") + kResultName;
 }
 
 bool is_batch_folder(const std::string& name) {
@@ -262,6 +274,11 @@ bool is_batch_folder(const std::string& name) {
 }
 
 std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
+  std::error_code ignored;
+  const bool is_interrupted = !is_batch_folder(name) && fs::is_regular_file(fs::path(name) / kBatchStoreName, ignored);
+  if (is_interrupted)
+    return make_error("usage", "'" + name + "' is the folder of a batch that was interrupted; finish it with " +
+                                   kProgramName + " batch ... --resume");
   if (!is_batch_folder(name)) return std::nullopt;
   return make_error("usage", "'" + name + "' is the folder of a batch; expected one result of it: " +
                                  (std::filesystem::path(name) / "reports" / "JOB").string());

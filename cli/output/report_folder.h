@@ -19,6 +19,7 @@ namespace gouge {
 
 inline constexpr const char* kManifestName = "manifest.json";
 inline constexpr const char* kBatchSummaryName = "summary.json";
+inline constexpr const char* kBatchStoreName = "results.sqlite";
 
 /// A content that a file of the report may have.
 struct ManifestEntry {
@@ -56,7 +57,8 @@ struct ReportManifest {
 
 /// Returns whether a name is that of the folder of a batch.
 [[nodiscard]] bool is_batch_folder(const std::string& name);
-/// Returns the error for the folder of a batch where one result is expected; none for any other name. Code: usage.
+/// Returns the error for the folder of a batch where one result is expected, also of one that was interrupted; none for
+/// any other name. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> refuse_batch_folder(const std::string& name);
 
 /// Returns the names for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.

@@ -78,6 +78,9 @@ std::string find_similar_name(std::string_view word, const std::vector<std::stri
 Diagnostic describe_missing_file(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   std::error_code unknown;
+  if (fs::is_symlink(fs::symlink_status(path, unknown)))
+    return make_error("file-not-found",
+                      "is a link to " + fs::read_symlink(path, unknown).string() + ", which does not exist", path);
   std::string message = "no such file";
   if (!folder.empty() && !fs::exists(folder, unknown)) {
     message += "; the folder " + folder.string() + " does not exist";

@@ -78,7 +78,7 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
     fact.basis = Basis::derived;
     fact.evidence = "half of " + positions_examined(*result.closest_approach) + " touch the part";
   } else {
-    fact.evidence = "nothing contradicts it";
+    fact.evidence = "nothing states the placement of the parts, and nothing contradicts it";
   }
   return fact;
 }

@@ -1,6 +1,7 @@
 #include "lib/check/closest_approach.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -77,6 +78,28 @@ std::optional<double> if_near(double distance) {
   return distance <= ClosestApproach::kFar_mm ? std::optional(distance) : std::nullopt;
 }
 
+// Returns the smallest distance that the tool has within the chosen cuts: at three instants of each straight one whose tool
+// axis stays. Infinite if there is no such cut.
+double nearest_within_cuts_mm(const Toolpath& toolpath, const std::vector<std::size_t>& chosen,
+                              const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
+                              unsigned threads) {
+  constexpr std::array kInstants = {0.25, 0.5, 0.75};
+  std::vector<double> nearest_mm(chosen.size(), std::numeric_limits<double>::infinity());
+  for_each_chunk(chosen.size(), kPositionsPerChunk, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Move& move = toolpath.moves[chosen[k]];
+      if (!move.has_start || move.curve_kind != CurveKind::none) continue;
+      const Pose& start = toolpath.start_of(chosen[k]);
+      if (start.axis != move.end.axis) continue;
+      for (const double t : kInstants) {
+        const Pose between{start.tip + t * (move.end.tip - start.tip), start.axis};
+        nearest_mm[k] = std::min(nearest_mm[k], distance_from_part(between, *tools[move.tool], scene).seen_mm);
+      }
+    }
+  });
+  return *std::min_element(nearest_mm.begin(), nearest_mm.end());
+}
+
 }  // namespace
 
 std::string positions_examined(const ClosestApproach& closest_approach) {
@@ -112,7 +135,11 @@ std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath
   std::sort(distances.begin(), distances.end());
   closest_approach.positions = distances.size();
   closest_approach.apart_mm = *std::min_element(least.begin(), least.end());
-  closest_approach.nearest_mm = if_near(std::min(distances.front(), seen_by_check_mm(toolpath, tools, verdicts)));
+  double nearest_mm = std::min(distances.front(), seen_by_check_mm(toolpath, tools, verdicts));
+  // A cut may pass over the part from one side to the other, with both ends beside it.
+  if (nearest_mm > ClosestApproach::kApart_mm)
+    nearest_mm = std::min(nearest_mm, nearest_within_cuts_mm(toolpath, chosen, tools, scene, threads));
+  closest_approach.nearest_mm = if_near(nearest_mm);
   closest_approach.median_mm = if_near(distances[(distances.size() - 1) / 2]);
   return closest_approach;
 }

@@ -69,7 +69,7 @@ std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most, std
     if (!reason.empty())
       text += (columns > 0 ? wrapped(printable(reason), columns, kIndent) : printable(reason)) + "\n";
   }
-  return text + count_text(jobs.size(), "job") + ": " + verdict_counts(jobs) + "\n";
+  return text + count_text(jobs.size(), "job") + (jobs.empty() ? "" : ": ") + verdict_counts(jobs) + "\n";
 }
 
 }  // namespace gouge

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,6 +19,13 @@
 namespace gouge {
 namespace {
 
+// Returns the identities of the tools by their keys. Several tools may have one key, for example no number.
+std::map<std::string, std::set<std::string>> tools_by_key(const StoredResult& result) {
+  std::map<std::string, std::set<std::string>> tools;
+  for (const ToolRecord& tool : result.record.tools) tools[tool.key].insert(tool.identity.value_or(""));
+  return tools;
+}
+
 // Returns the differences of the set-ups of two runs, a sentence each. Compared are parts, fixtures, heads, placement,
 // tools with the same key, options, and the version of the program. Empty: their findings are directly comparable.
 std::vector<std::string> setup_differences(const StoredResult& before, const StoredResult& after) {
@@ -28,11 +36,11 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   }
   if (before.record.placement != after.record.placement)
     all.push_back("the STL files are placed elsewhere, or in another unit");
-  for (std::size_t k = 0; k < before.record.tools.size(); ++k) {
-    const ToolRecord& tool = before.record.tools[k];
-    const auto same = std::ranges::find(after.record.tools, tool.key, &ToolRecord::key);
-    if (same == after.record.tools.end() || same->identity == tool.identity) continue;
-    all.push_back(stored_tool_label(tool.key) + " has other dimensions");
+  const auto then = tools_by_key(before), now = tools_by_key(after);
+  for (const auto& [key, identities] : then) {
+    const auto same = now.find(key);
+    if (same != now.end() && same->second != identities)
+      all.push_back(stored_tool_label(key) + " has other dimensions");
   }
   const auto lengths = [&](const char* what, double a_mm, double b_mm) {
     if (a_mm < b_mm || a_mm > b_mm)
@@ -48,8 +56,8 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   if (a.limits != b.limits) all.push_back("the limits of single files are others");
   if (a.law != b.law) all.push_back("the machine, or its law of motion, is another one");
   if (a.rapid != b.rapid) all.push_back("rapids are checked as " + b.rapid + ", " + a.rapid + " before");
-  if (const std::size_t now = after.record.toolpath.moves, then = before.record.toolpath.moves; now != then)
-    all.push_back("the toolpath has " + count_text(now, "move") + ", " + std::to_string(then) + " before");
+  if (const std::size_t moves = after.record.toolpath.moves, old = before.record.toolpath.moves; moves != old)
+    all.push_back("the toolpath has " + count_text(moves, "move") + ", " + std::to_string(old) + " before");
   if (before.record.program.version != after.record.program.version)
     all.push_back("gougecheck " + after.record.program.version + ", " + before.record.program.version + " before");
   return all;

@@ -190,14 +190,15 @@ std::vector<std::string> reservations(const ReportModel& model) {
   if (std::string gaps = depth_gaps_text(model); !gaps.empty()) all.push_back(std::move(gaps));
   if (std::string chords = chord_error_text(model); !chords.empty()) all.push_back(std::move(chords));
   if (std::string apart = few_cuts_apart_text(model); !apart.empty()) all.push_back(std::move(apart));
-  std::string bare;
-  std::size_t count = 0;
+  std::vector<std::string> bare;  // several tools may have one number
   for (const ToolFacts& tool : model.tools) {
-    if (tool.has_holder || ++count > kNamed) continue;
-    bare += (bare.empty() ? "" : ", ") + (tool.name.empty() ? "the unnamed tool" : tool.name);
+    const std::string name = tool.name.empty() ? "the unnamed tool" : tool.name;
+    if (!tool.has_holder && std::ranges::find(bare, name) == bare.end()) bare.push_back(name);
   }
-  if (count > kNamed) bare += " and " + std::to_string(count - kNamed) + " more";
-  if (count > 0) all.push_back(bare + (count > 1 ? " have" : " has") + " no holder, so none is checked");
+  std::string named;
+  for (std::size_t k = 0; k < std::min(bare.size(), kNamed); ++k) named += (k == 0 ? "" : ", ") + bare[k];
+  if (bare.size() > kNamed) named += " and " + std::to_string(bare.size() - kNamed) + " more";
+  if (!bare.empty()) all.push_back(named + (bare.size() > 1 ? " have" : " has") + " no holder, so none is checked");
   return all;
 }
 

@@ -44,7 +44,8 @@ struct MeshFacts {
 /// Facts about one tool; one entry for each of Toolpath::tools, in its order.
 struct ToolFacts {
   std::string name;
-  /// "tools.json", "path.apt:12"; empty: there is no definition, so the tool could not be checked
+  /// "tools.json", "path.apt:12", or "memory" of a tool given to the library; empty: there is no definition, so the tool
+  /// could not be checked
   std::string defined_in;
   std::string description;        ///< such as "ball D10, holder D32"; may be empty
   bool has_holder = true;         ///< false: no holder is given, so none was checked

@@ -45,6 +45,10 @@ TEST_F(Overwriting, OutputsAreNeitherInputsNorOneAnother) {
             "--json '" + folder_ + "/b/../x' is the file of --csv as well; name another file");
 }
 
+TEST_F(Overwriting, NamesThatAreTooLongAreNotOneFile) {
+  EXPECT_EQ(reported(asked_for({{"--json", std::string(300, 'a')}, {"--csv", std::string(300, 'b')}})), "");
+}
+
 TEST_F(Overwriting, LinksToNothingYetAreSeenThrough) {
   fs::create_symlink("new.csv", folder_ + "/link");
   EXPECT_NE(reported({{"--csv", folder_ + "/link"}, {"--json", folder_ + "/new.csv"}}), "");

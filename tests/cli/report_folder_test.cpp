@@ -139,6 +139,25 @@ TEST_F(Folder, AManifestOfSomethingElseIsForeign) {
   EXPECT_EQ(report(small_), "report-foreign");
 }
 
+TEST_F(Folder, OfABatchIsNotTakenOverByAReportAndNeitherTheOtherWay) {
+  const auto batch = [&](bool is_forced) {
+    ReportFolder folder(folder_, is_forced, names_of_batch());
+    Outcome done = folder.open();
+    if (done) done = folder.stage(named({{"index.html", "i"}, {kBatchSummaryName, "{}"}}));
+    if (done) done = folder.commit();
+    message_ = done ? "" : done.error().message;
+    return done ? "" : done.error().code;
+  };
+  ASSERT_EQ(batch(false), "");
+  EXPECT_EQ(report({{"report.html", "r"}, {"result.json", "{}"}}), "report-foreign");
+  EXPECT_NE(message_.find("is the folder of a batch, which a report would take over"), std::string::npos) << message_;
+  EXPECT_EQ(batch(false), "") << "its manifest is as it was";
+  fs::remove_all(root_);
+  ASSERT_EQ(report({{"report.html", "r"}, {"result.json", "{}"}}), "");
+  EXPECT_EQ(batch(false), "report-foreign");
+  EXPECT_NE(message_.find("is the folder of a report, which a batch would take over"), std::string::npos) << message_;
+}
+
 TEST_F(Folder, WhatIsNoPlainFileIsRefusedEvenWithForce) {
   fs::create_directories(folder_ + "/event_5.png");
   EXPECT_EQ(report(small_, true), "report-foreign");

@@ -383,6 +383,14 @@ TEST_F(Accept, TheFolderOfABatchStandsForItsResults) {
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
 }
 
+TEST_F(Accept, TextThatIsNotUtf8IsRefused) {
+  ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
+  const Outcome ran =
+      shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "M\xfcller", "-o", "accepted.json"});
+  EXPECT_EQ(ran.exit_status, 2);
+  EXPECT_NE(ran.err.find("--by 'M\\xfcller': expected text in UTF-8"), std::string::npos) << ran.err;
+}
+
 TEST_F(Accept, StandardOutputIsNoFileToAddTo) {
   ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
   const Outcome ran = shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "b", "-o", "-"});

@@ -130,6 +130,9 @@ TEST_F(Compare, AnotherToolIsSaidAndAnotherNumberIsAnotherFinding) {
   EXPECT_NE(wider.out.find("note: T1 has other dimensions\n"), std::string::npos) << wider.out;
   EXPECT_EQ(counts(), "same 1") << "the cutter is flat: as deep as before";
   EXPECT_EQ(wider.exit_status, 0);
+  // Two tools without a number are no difference of a result from itself.
+  shop_.check("two", "PARTNO/SHOP\nUNITS/MM\nCUTTER/10\nGOTO/0,0,50\nGOTO/20,0,50\nCUTTER/6\nGOTO/40,0,50\nFINI\n");
+  EXPECT_EQ(compare("two", "two").out.find("other dimensions"), std::string::npos);
   shop_.check("c", path_text(stations(kTwoDeep), "PARTNO/SHOP\nUNITS/MM\nCUTTER/10\nLOADTL/2\n"));
   EXPECT_EQ(compare("a", "c").exit_status, 1);
   EXPECT_EQ(counts(), "new 1, gone 1");

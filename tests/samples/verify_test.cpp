@@ -110,6 +110,23 @@ TEST(VerifyCommand, FindsAToolThatIsNotTheOneThatWasChecked) {
   EXPECT_EQ(verify(sample).exit_status, 3);  // the certificate is about other inputs
 }
 
+// As the library and Python write it, which take parts and tools from memory.
+TEST(VerifyCommand, RefusesAResultThatNamesNoFileOfAPartOrATool) {
+  const SampleFolder sample = checked_sample("pocket");
+  for (const auto& [role, what] : {std::pair("part", "the part part.stl"), {"tools", "the tool "}}) {
+    json result = result_of(sample), kept = json::array();
+    for (const json& input : result.at("inputs"))
+      if (input.at("role") != role) kept.push_back(input);
+    result["inputs"] = kept;
+    const std::string whole = text_of(sample.path + "/result.json");
+    write_text(sample.path + "/result.json", sealed(result));
+    const Outcome ran = verify(sample, {});
+    EXPECT_EQ(ran.exit_status, 3) << ran.out;
+    EXPECT_NE(ran.err.find(std::string("the result does not name the file of ") + what), std::string::npos) << ran.err;
+    write_text(sample.path + "/result.json", whole);
+  }
+}
+
 TEST(VerifyCommand, FindsWhatIsChangedInAResult) {
   const SampleFolder sample = checked_sample("pocket");
   const json whole = result_of(sample);

@@ -16,6 +16,8 @@
 namespace gouge {
 namespace {
 
+constexpr std::string_view kHeidenhain = "heidenhain";
+
 constexpr std::size_t kLongestProgram = (std::size_t{1} << 32U) - 2;  // a SmallIndex can count its bytes
 
 bool is_forbidden(char c) {
@@ -148,7 +150,7 @@ std::span<const ProgramLanguage> all_languages() {
       {haas_table().id, haas_table().title, [](const ProgramInput& input) { return run_iso(haas_table(), input); }},
       {fanuc_table().id, fanuc_table().title, [](const ProgramInput& input) { return run_iso(fanuc_table(), input); }},
       {"siemens", "Siemens 840D", run_siemens},
-      {"heidenhain", "Heidenhain Klartext", run_heidenhain, true},
+      {kHeidenhain, "Heidenhain Klartext", run_heidenhain, true},
   }};
   return languages;
 }
@@ -169,6 +171,12 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   if (auto error = find_unreadable_program(file_name, bytes)) return {std::nullopt, {std::move(*error)}};
   const Result<const ProgramLanguage*> language = language_of(options, file_name);
   if (!language) return {std::nullopt, {language.error()}};
+  if ((*language)->id != kHeidenhain && is_heidenhain_program(bytes))
+    return {std::nullopt,
+            {make_error("gcode-control",
+                        "begins with BEGIN PGM, as programs of Heidenhain Klartext do, and the control is '" +
+                            std::string((*language)->id) + "'; expected --control heidenhain",
+                        file_name)}};
   if (auto error = find_wrong_byte(file_name, bytes, (*language)->may_return_in_comment))
     return {std::nullopt, {std::move(*error)}};
   if (options.setup.machine) {

@@ -64,6 +64,16 @@ def test_tips_and_axes():
         gougecheck.Path(TIPS, np.array([UP, UP, UP * 0, UP, UP]))
 
 
+def test_a_reader_names_the_one_that_reads_the_file(tmp_path):
+    program, toolpath = tmp_path / "p.nc", tmp_path / "p.apt"
+    program.write_text("%\nO1\nG21 G90 G17 G94\nG0 X0 Y0 Z5\nG1 Z1 F100\nM30\n%\n")
+    toolpath.write_text("PARTNO/1\nUNITS/MM\nGOTO/0,0,5\nGOTO/1,0,5\nFINI\n")
+    with pytest.raises(gougecheck.Error, match="read it with read_program and the control"):
+        gougecheck.read_toolpath(program)
+    with pytest.raises(gougecheck.Error, match="Python: read_toolpath"):
+        gougecheck.read_program(toolpath, control="haas")
+
+
 def test_tools_by_shape_and_from_json():
     tool = gougecheck.Tool.bull_nose(diameter=16, corner_radius=2, length=25, shank=[(16, 16, 20)])
     assert tool.height == 45 and not tool.has_holder

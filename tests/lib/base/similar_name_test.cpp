@@ -39,6 +39,11 @@ TEST_F(MissingFile, IsNamedWithTheOneThatWasProbablyMeant) {
   EXPECT_EQ(message("fixture.stl"), "no such file");
 }
 
+TEST_F(MissingFile, OfABrokenLinkIsItsTarget) {
+  std::filesystem::create_symlink("nowhere.apt", folder / "op30.apt");
+  EXPECT_EQ(message("op30.apt"), "is a link to nowhere.apt, which does not exist");
+}
+
 TEST_F(MissingFile, IsNamedWithTheFolderThatIsMissingToo) {
   EXPECT_EQ(message("parts/blade.stl"), "no such file; the folder " + (folder / "parts").string() + " does not exist");
   EXPECT_EQ(describe_missing_file("/no/such/file").code, "file-not-found");

@@ -28,6 +28,13 @@ TEST(ClosestApproach, IsTheDistanceOfTheToolFromThePartAtTheEndsOfCuts) {
   EXPECT_NEAR(*found->median_mm, 2, 0.011);
 }
 
+TEST(ClosestApproach, ACutFromOneSideOfThePartToTheOtherIsNotApart) {
+  const auto found = closest_approach(paths::through({upright(-90, 0, 0), upright(90, 0, 0)}));
+  EXPECT_NEAR(*found->nearest_mm, 0, 0.011);
+  EXPECT_FALSE(found->is_apart());
+  EXPECT_NEAR(*closest_approach(paths::through({upright(-90, 0, 7), upright(90, 0, 7)}))->nearest_mm, 7, 0.011);
+}
+
 TEST(ClosestApproach, TouchingAndDeeperIsNothing) {
   const auto found = closest_approach(paths::through({upright(0, 0, 0), upright(0, 0, -2)}));
   EXPECT_LE(*found->nearest_mm, 0);
