@@ -220,7 +220,7 @@ TEST_F(Compare, NamesTheOptionForToolpaths) {
   shop_.write("a.apt", path_text(stations()));
   const Outcome ran = shop_.run({"compare", "a.apt", "a.apt"});
   EXPECT_EQ(ran.exit_status, 3);
-  EXPECT_NE(ran.err.find("a.apt:1: error: is a toolpath, not a result; two toolpaths are compared with --paths"),
+  EXPECT_NE(ran.err.find("a.apt: error: is a toolpath, not a result; two toolpaths are compared with --paths"),
             std::string::npos)
       << ran.err;
 }

@@ -47,7 +47,7 @@ def test_a_path_from_a_file_is_read_again_from_its_text(tmp_path):
 
 def test_positions_of_the_cutter_centre_are_checked_if_stated(tmp_path):
     file = tmp_path / "a.apt"
-    file.write_text("UNITS/MM\nMULTAX\nGOTO/0,0,5,0,0,1\nCUTCOM/LEFT\nGOTO/1,0,5,0,0,1\nGOTO/3,0,5,0,0,1\nFINI\n")
+    file.write_text("UNITS/MM\nMULTAX\nGOTO/10,10,9,0,0,1\nCUTCOM/LEFT\nGOTO/10,10,-0.2,0,0,1\nGOTO/12,10,-0.2,0,0,1\nFINI\n")
     with pytest.raises(gougecheck.Error, match="cutcom 'center': expected centre"):
         gougecheck.read_toolpath(file, cutcom="center")
     path = gougecheck.read_toolpath(file, cutcom="centre")

@@ -202,8 +202,11 @@ TEST(FindingsText, SaysBesideTheVerdictWhatItDoesNotCover) {
   for (ToolFacts& tool : report.model.tools) tool.has_holder = false;
   const std::vector<std::string> lines = lines_of(summary_text(report.model));
   EXPECT_EQ(lines[2], "note: ball D10, long, \"thin\" have no holder, so none is checked");
-  report.model.tools.assign(7, ToolFacts{"T1", "tools.json", "", false});
-  EXPECT_EQ(reservations(report.model)[0], "T1, T1, T1, T1, T1 and 2 more have no holder, so none is checked");
+  report.model.tools.assign(2, ToolFacts{"T0", "tools.json", "", false});
+  EXPECT_EQ(reservations(report.model)[0], "T0 has no holder, so none is checked") << "two tools of one number";
+  for (int number = 1; number < 7; ++number)
+    report.model.tools.push_back(ToolFacts{"T" + std::to_string(number), "tools.json", "", false});
+  EXPECT_EQ(reservations(report.model)[0], "T0, T1, T2, T3, T4 and 2 more have no holder, so none is checked");
 }
 
 TEST(FindingsText, NotesFewCutsThatStayAwayFromThePart) {
