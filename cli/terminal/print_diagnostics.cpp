@@ -29,7 +29,7 @@ void print(std::ostream& err, const Diagnostics& diagnostics) {
 
 namespace {
 
-constexpr std::size_t kMostWarnings = 10;
+constexpr std::size_t kMaxWarnings = 10;
 
 }  // namespace
 
@@ -37,14 +37,14 @@ void NotePrinter::print_new(const Diagnostics& notes) {
   for (; seen_ < notes.size(); ++seen_) {
     const Diagnostic& note = notes[seen_];
     if (verbosity_.is_quiet) continue;
-    const bool is_shown = note.severity == Severity::warning && ++warnings_ <= kMostWarnings;
+    const bool is_shown = note.severity == Severity::warning && ++warnings_ <= kMaxWarnings;
     if (verbosity_.is_verbose || is_shown) print(err_, {note});
   }
 }
 
 void NotePrinter::print_rest() {
-  if (verbosity_.is_verbose || warnings_ <= kMostWarnings) return;
-  err_ << "gougecheck: " << warnings_ - kMostWarnings << " more warnings; -v shows all\n";
+  if (verbosity_.is_verbose || warnings_ <= kMaxWarnings) return;
+  err_ << "gougecheck: " << warnings_ - kMaxWarnings << " more warnings; -v shows all\n";
 }
 
 void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity) {
