@@ -44,8 +44,8 @@ class JobPipeline {
   /// Builds the report of `result` for `path`, with the accepted findings. Both must outlive the report.
   [[nodiscard]] ReportModel report(const Toolpath& path, const CheckResult& result, ReportParts parts) const;
 
-  /// Prints the warnings that are not printed yet, writes every output and prints the findings. Returns the exit status. `last_notes` are
-  /// printed after those of the report, but not with -q; `spent` is printed with -v.
+  /// Prints the warnings that are not printed yet, writes every output and prints the findings. Returns the exit status.
+  /// `last_notes` are printed after those of the report, but not with -q; `spent` is printed with -v.
   [[nodiscard]] int write(const ReportModel& model, const Diagnostics& last_notes = {}, const std::string& spent = {});
 
   /// Ends the progress line and prints `error`. Returns the exit status.

@@ -13,9 +13,9 @@ namespace gouge {
 /// product of the lengths, for each name.
 [[nodiscard]] std::string find_similar_name(std::string_view word, const std::vector<std::string>& names);
 
-/// Returns the error file-not-found of `path`. It names the target of a broken link, the folder that does not exist either, or the file in the folder
-/// with a similar name. Of equally similar files it is the first by name. Cost: a listing of the folder, at most 10,000
-/// entries of it.
+/// Returns the error file-not-found of `path`. It names the target of a broken link, the folder that does not exist
+/// either, or a file in the folder with a similar name. Of equally similar files it is the first by name. Cost: a listing
+/// of the folder, at most 10,000 entries of it.
 [[nodiscard]] Diagnostic describe_missing_file(const std::string& path);
 
 }  // namespace gouge

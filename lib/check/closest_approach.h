@@ -22,7 +22,8 @@ struct ClosestApproach {
   std::size_t cuts = 0;       ///< number of moves with a tool that are neither rapid nor unchecked
   std::size_t positions = 0;  ///< number of cuts whose ends were examined: one from each of as many equal shares
   /// Minimum distance of the tool, including its stock to leave, from the parts. It covers the examined positions, and
-  /// moves that the check found to touch or to be near. If all of these are apart, it also covers instants within cuts. 0 if the tool touches; none if no distance is within kFar_mm.
+  /// moves that the check found to touch or to be near. If all of these are apart, it also covers instants within cuts. 0
+  /// if the tool touches; none if no distance is within kFar_mm.
   std::optional<double> nearest_mm;
   std::optional<double> median_mm;  ///< at half of the positions the distance is at most this
   double apart_mm = 0;  ///< proved minimum distance at the examined positions; the other positions may be closer

@@ -130,10 +130,15 @@ class LawsCheck {
     const Move &old = a.moves[i], &own = b.moves[k];
     if (old.curve_kind != CurveKind::arc || own.curve_kind != CurveKind::arc || !own.has_start) return false;
     const PathArc &was = a.arcs[old.curve], &is = b.arcs[own.curve];
-    const double radius_mm = (a.start_of(i).tip - was.center).norm(), now_mm = (b.start_of(k).tip - is.center).norm();
-    const bool is_same_circle =
-        is_near({is.center, is.axis}, {was.center, was.axis}) && std::abs(now_mm - radius_mm) <= kDigits_mm;
-    return is_same_circle && is_near(b.moves[k].end, {own.end.tip, old.end.axis});
+    const auto across = [&](const Vec3& from, const Vec3& to) -> Vec3 {
+      const Vec3 way = to - from;
+      return way - way.dot(was.axis) * was.axis;  // a helix has the centers of its pieces at several heights
+    };
+    const double radius_mm = across(was.center, a.start_of(i).tip).norm(),
+                 now_mm = across(is.center, b.start_of(k).tip).norm();
+    const bool is_same_circle = is_near({across(was.center, is.center), is.axis}, {Vec3::Zero(), was.axis}) &&
+                                std::abs(now_mm - radius_mm) <= kDigits_mm;
+    return is_same_circle && is_near(own.end, {own.end.tip, old.end.axis});
   }
 
   /// Returns whether the tool passes the pose on straight move `i`. A straight motion between two such poses is a part
