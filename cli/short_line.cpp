@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <utility>
+#include <variant>
 
 #include "cli/options/help_text.h"
 #include "lib/base/file_kind.h"
@@ -28,13 +29,8 @@ bool is_file_name(const std::string& word) {
   return !word.starts_with('-') && (word.find_first_of("./") != std::string::npos || fs::exists(word, ignored));
 }
 
-enum class Role {
-  path,
-  part,
-  tools,
-  foreign,  ///< of a kind that no reader accepts, such as a STEP file
-  unknown   ///< perhaps the toolpath of a dialect without marks
-};
+/// Unknown: perhaps the toolpath of a dialect without marks.
+enum class Role { path, part, tools, unknown };
 
 Result<std::string> read_beginning(const std::string& file) {
   constexpr std::size_t kBeginning = 65536;
@@ -60,8 +56,17 @@ bool is_tool_library(const std::string& file) {
   return code != "library-foreign" && code != "input-too-large" && code != "import-zip";
 }
 
-Result<Role> role_of(const std::string& file) {
-  if (file == kStandardInput) return Role::path;
+/// A file of a kind that no reader accepts, such as a STEP file.
+struct ForeignFile {
+  std::string name;
+  FileKind kind;
+  std::string description;  ///< as the reader of toolpaths gives it
+};
+
+using FileRole = std::variant<Role, ForeignFile>;
+
+Result<FileRole> role_of(const std::string& file) {
+  if (file == kStandardInput) return FileRole(Role::path);
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   if (fs::is_directory(status))
@@ -74,16 +79,19 @@ Result<Role> role_of(const std::string& file) {
   if (!beginning) return beginning.error();
   if (beginning->empty())
     return make_error("usage", "'" + file + "' is empty; expected a toolpath, an STL or a tool library");
-  if (looks_like_stl(*beginning, fs::file_size(file, ignored)) || has_ending(file, ".stl")) return Role::part;
-  if (is_tool_library(file)) return Role::tools;
-  if (!recognise_dialect(*beginning).is_fallback || looks_like_cl_data(*beginning)) return Role::path;
-  if (recognise_file(file, *beginning)) return Role::foreign;
+  if (looks_like_stl(*beginning, fs::file_size(file, ignored)) || has_ending(file, ".stl")) return FileRole(Role::part);
+  if (is_tool_library(file)) return FileRole(Role::tools);
+  if (!recognise_dialect(*beginning).is_fallback || looks_like_cl_data(*beginning)) return FileRole(Role::path);
   const std::optional<std::string> format = describe_foreign(file, *beginning);
-  return format ? Result<Role>(make_error("path-not-cl-data", *format, file)) : Role::unknown;
+  if (const auto kind = recognise_file(file, *beginning))
+    return FileRole(ForeignFile{file, *kind, format.value_or("is no toolpath")});
+  if (format) return make_error("path-not-cl-data", *format, file);
+  return FileRole(Role::unknown);
 }
 
 struct Files {
-  std::vector<std::string> paths, parts, libraries, foreign, unknown;
+  std::vector<std::string> paths, parts, libraries, unknown;
+  std::vector<ForeignFile> foreign;
 
   [[nodiscard]] std::vector<std::string>& of(Role role) {
     switch (role) {
@@ -93,8 +101,6 @@ struct Files {
         return parts;
       case Role::tools:
         return libraries;
-      case Role::foreign:
-        return foreign;
       case Role::unknown:
         break;
     }
@@ -106,17 +112,16 @@ struct Files {
 /// the file, with advice.
 void assign_foreign(Files& files) {
   if (files.paths.empty()) return;
-  for (const std::string& file : std::exchange(files.foreign, {})) {
-    const Result<std::string> beginning = read_beginning(file);
-    const std::optional<FileKind> kind = beginning ? recognise_file(file, *beginning) : std::nullopt;
-    const bool is_solid = kind && (kind->family == FileFamily::solid || kind->family == FileFamily::mesh);
-    const bool is_document = kind && (kind->family == FileFamily::text || kind->family == FileFamily::document);
+  for (const ForeignFile& file : std::exchange(files.foreign, {})) {
+    const FileFamily family = file.kind.family;
+    const bool is_solid = family == FileFamily::solid || family == FileFamily::mesh;
+    const bool is_document = family == FileFamily::text || family == FileFamily::document;
     const bool can_be_tools = files.libraries.empty() && !is_solid;
     const bool can_be_part = files.parts.empty();
     const Role role = can_be_tools && (is_document || !can_be_part) ? Role::tools
                       : can_be_part                                 ? Role::part
                                                                     : Role::unknown;
-    files.of(role).push_back(file);
+    files.of(role).push_back(file.name);
   }
 }
 
@@ -128,12 +133,10 @@ Diagnostic wrong_files(const std::string& message) {
 Diagnostic describe_missing_path(const Files& files) {
   const std::string none = "none of the files is a toolpath";
   if (files.foreign.empty()) return wrong_files(none);
-  const std::string& file = files.foreign.front();
-  const Result<std::string> beginning = read_beginning(file);
-  if (!beginning) return beginning.error();
-  const std::string format = describe_foreign(file, *beginning).value_or("is no toolpath");
+  const auto& [name, kind, description] = files.foreign.front();
   const bool is_alone = files.parts.empty() && files.libraries.empty() && files.foreign.size() == 1;
-  return is_alone ? make_error("path-not-cl-data", format, file) : wrong_files(none + ": " + file + " " + format);
+  return is_alone ? make_error("path-not-cl-data", description, name)
+                  : wrong_files(none + ": " + name + " " + description);
 }
 
 std::optional<Diagnostic> find_wrong(const Files& files) {
@@ -166,9 +169,12 @@ Result<std::vector<std::string>> expand_short_line(const std::vector<std::string
                                    [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
   Files files;
   for (auto word = words.begin() + 1; word != option; ++word) {
-    const Result<Role> role = role_of(*word);
+    const auto role = role_of(*word);
     if (!role) return role.error();
-    files.of(*role).push_back(*word);
+    if (const auto* foreign = std::get_if<ForeignFile>(&*role))
+      files.foreign.push_back(*foreign);
+    else
+      files.of(std::get<Role>(*role)).push_back(*word);
   }
   // The only candidate is read as a toolpath, with the messages of its reader.
   if (files.paths.empty() && files.unknown.size() == 1) files.paths = std::exchange(files.unknown, {});
