@@ -42,8 +42,7 @@ std::string describe_no_batch(const std::string& name) {
   const fs::path path(name);
   if (!fs::exists(path, ignored)) return "does not exist";
   if (!fs::is_directory(path, ignored)) return "is a file; expected the folder of another batch";
-  if (fs::exists(path / kBatchStoreName, ignored))
-    return "is the folder of a batch that was interrupted; finish it with gougecheck batch ... --resume";
+  if (is_interrupted_batch(name)) return kIsInterrupted;
   if (fs::exists(result_in(name), ignored)) return "is the report of one job; expected the folder of another batch";
   return "has neither the results of a batch nor those of a job";
 }

@@ -273,12 +273,13 @@ bool is_batch_folder(const std::string& name) {
   return std::filesystem::is_regular_file(std::filesystem::path(name) / kBatchSummaryName, ignored);
 }
 
-std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
+bool is_interrupted_batch(const std::string& name) {
   std::error_code ignored;
-  const bool is_interrupted = !is_batch_folder(name) && fs::is_regular_file(fs::path(name) / kBatchStoreName, ignored);
-  if (is_interrupted)
-    return make_error("usage", "'" + name + "' is the folder of a batch that was interrupted; finish it with " +
-                                   kProgramName + " batch ... --resume");
+  return !is_batch_folder(name) && fs::is_regular_file(fs::path(name) / kBatchStoreName, ignored);
+}
+
+std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
+  if (is_interrupted_batch(name)) return make_error("usage", "'" + name + "' " + kIsInterrupted);
   if (!is_batch_folder(name)) return std::nullopt;
   return make_error("usage", "'" + name + "' is the folder of a batch; expected one result of it: " +
                                  (std::filesystem::path(name) / "reports" / "JOB").string());

@@ -57,6 +57,11 @@ struct ReportManifest {
 
 /// Returns whether a name is that of the folder of a batch.
 [[nodiscard]] bool is_batch_folder(const std::string& name);
+/// Returns whether a name is that of the folder of a batch that was interrupted: it has results, but no summary.
+[[nodiscard]] bool is_interrupted_batch(const std::string& name);
+/// The rest of a sentence that begins with the name of such a folder.
+inline constexpr const char* kIsInterrupted =
+    "is the folder of a batch that was interrupted; finish it with gougecheck batch ... --resume";
 /// Returns the error for the folder of a batch where one result is expected, also of one that was interrupted; none for
 /// any other name. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> refuse_batch_folder(const std::string& name);
