@@ -117,6 +117,7 @@ TEST(Repository, MotionsAndObstaclesHaveOnePlace) { EXPECT_EQ(listed(check_seams
 TEST(Repository, FormatsAreNamedInTheirTableAlone) { EXPECT_EQ(listed(check_formats(repository())), ""); }
 TEST(Repository, TolerancesHaveNames) { EXPECT_EQ(listed(check_tolerances(repository())), ""); }
 TEST(Repository, RandomNumbersAreTheSameEverywhere) { EXPECT_EQ(listed(check_random_numbers(repository())), ""); }
+TEST(Repository, TestsShareNoTemporaryFolders) { EXPECT_EQ(listed(check_temporary_folders(repository())), ""); }
 TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }
 TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) { EXPECT_EQ(listed(check_stray_text(repository())), ""); }
 

@@ -148,6 +148,13 @@ TEST(RandomNumbers, OfAStandardLibraryAreRefused) {
             Complaints{});
 }
 
+TEST(TemporaryFolders, OfFixedNamesAreRefused) {
+  for (const char* line : {"file = testing::TempDir() + name;", "folder = fs::temp_directory_path() / name;"}) {
+    EXPECT_EQ(check_temporary_folders({{"tests/t.cpp", line}}).size(), 1U) << line;
+    EXPECT_EQ(check_temporary_folders({{"cli/a.cpp", line}, {"tests/support/temporary_folder.h", line}}), Complaints{});
+  }
+}
+
 TEST(Shape, LongFilesAndHeadersWithoutPragmaOnceAreRefused) {
   std::string long_text;
   for (int i = 0; i < 501; ++i) long_text += "\n";

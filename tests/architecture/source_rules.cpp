@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -243,22 +244,38 @@ Complaints check_tolerances(const std::vector<SourceFile>& files) {
   return complaints;
 }
 
-Complaints check_random_numbers(const std::vector<SourceFile>& files) {
-  static const std::regex kForeign(
-      R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");
+/// Complains about each line of `files` in which `foreign` is found: that it `uses` the word `instead`.
+static Complaints complain_of_words(const std::vector<SourceFile>& files, const std::regex& foreign,
+                                    const std::string& uses, const std::string& instead) {
   Complaints complaints;
   for (const SourceFile& file : files) {
-    if (!is_code(file.path)) continue;
+    if (!is_code(file.path) || file.path == instead) continue;
     std::size_t number = 0;
     for (const std::string& line : lines_of(without_comments_and_literals(file.text))) {
       ++number;
       std::smatch found;
-      if (std::regex_search(line, found, kForeign)) {
-        complain(complaints, file, number, "draws with " + found.str() + " instead of tests/support/scatter.h");
+      if (std::regex_search(line, found, foreign)) {
+        complain(complaints, file, number, uses + " " + found.str() + " instead of " + instead);
       }
     }
   }
   return complaints;
+}
+
+Complaints check_random_numbers(const std::vector<SourceFile>& files) {
+  static const std::regex kForeign(
+      R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");
+  return complain_of_words(files, kForeign, "draws with", "tests/support/scatter.h");
+}
+
+Complaints check_temporary_folders(const std::vector<SourceFile>& files) {
+  static const std::regex kForeign(R"(\bTempDir\b|\btemp_directory_path\b)");
+  std::vector<SourceFile> tests;
+  std::ranges::copy_if(files, std::back_inserter(tests), [](const SourceFile& file) {
+    return file.path.starts_with("tests/") && !file.path.starts_with("tests/bench/") &&
+           !file.path.starts_with("tests/fuzz/");
+  });
+  return complain_of_words(tests, kForeign, "makes files with", "tests/support/temporary_folder.h");
 }
 
 Complaints check_shape(const std::vector<SourceFile>& files) {

@@ -37,6 +37,10 @@ void complain(Complaints& complaints, const SourceFile& file, std::size_t line, 
 /// does.
 [[nodiscard]] Complaints check_random_numbers(const std::vector<SourceFile>& files);
 
+/// Tests make their files in folders of tests/support/temporary_folder.h alone: tests run beside each other. Benchmarks and
+/// fuzz targets, which run alone, may use others.
+[[nodiscard]] Complaints check_temporary_folders(const std::vector<SourceFile>& files);
+
 /// Only lib/motion makes motions from poses. Only the contact table names both kinds of obstacles. lib/verify shares
 /// nothing with the check and is left out.
 [[nodiscard]] Complaints check_seams(const std::vector<SourceFile>& files);

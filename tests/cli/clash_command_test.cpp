@@ -1,7 +1,6 @@
 #include "cli/commands/clash_command.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "lib/base/files.h"
 #include "lib/mesh/write_stl.h"
 #include "tests/support/solids.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::clash_command_test {
 namespace {
@@ -25,14 +25,11 @@ struct RunResult {
 class ClashCommand : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_clash_command_" + std::to_string(::getpid());
-    fs::create_directories(folder_);
     arguments_.a = write("part.stl", shapes::box(Vec3(0, 0, 0), Vec3(100, 60, 40)));
     arguments_.b = write("jaw.stl", shapes::box(Vec3(-20, -30, -10), Vec3(120, 2, 30)));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.at(name); }
 
   [[nodiscard]] std::string write(const std::string& name, const IndexedMesh& mesh,
                                   LengthUnit unit = LengthUnit::mm) const {
@@ -55,7 +52,7 @@ class ClashCommand : public testing::Test {
   ClashArguments arguments_;
 
  private:
-  std::string folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(ClashCommand, OfBodiesThatPenetrateSaysHowDeepWhereAndWhichShiftFreesThem) {

@@ -1,7 +1,6 @@
 #include "cli/commands/mesh_command.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "lib/base/files.h"
 #include "lib/mesh/write_stl.h"
 #include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::mesh_command_test {
 namespace {
@@ -25,13 +25,7 @@ struct Reported {
 
 class MeshCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_mesh_command_" + std::to_string(::getpid());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.at(name); }
 
   std::string write(const IndexedMesh& mesh, LengthUnit unit = LengthUnit::mm) {
     EXPECT_TRUE(write_file(path("part.stl"), binary_stl_bytes(mesh, unit)).has_value());
@@ -46,7 +40,7 @@ class MeshCommand : public testing::Test {
   }
 
  private:
-  std::string folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(MeshCommand, ASoundPartIsReportedInFull) {

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 namespace gouge::mesh_copies_test {
 namespace {
 
@@ -17,12 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMost = 1'000'000;
 
-std::string fresh_folder() {
-  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::temp_directory_path() / ("gouge_" + std::string(info->name()));
-  fs::remove_all(folder);
-  fs::create_directories(folder / "disk");
-  return folder.string();
+using testing_support::TemporaryFolder;
+
+std::string made(const std::string& folder) {
+  fs::create_directories(folder);
+  return folder;
 }
 
 void write(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
@@ -41,7 +42,8 @@ std::vector<fs::path> copies_below(const std::string& disk) {
 }
 
 TEST(MeshCopies, AreMadeOnceForAllWhoReadAFile) {
-  const std::string folder = fresh_folder(), disk = folder + "/disk", file = folder + "/part.stl";
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path(), disk = made(folder + "/disk"), file = folder + "/part.stl";
   write(file, "solid one\n");
   {
     MeshCopies first(disk), second(disk);
@@ -67,7 +69,8 @@ TEST(MeshCopies, AreMadeOnceForAllWhoReadAFile) {
 }
 
 TEST(MeshCopies, AreReadOnlyAsTheyWereMade) {
-  const std::string folder = fresh_folder(), disk = folder + "/disk", file = folder + "/part.stl";
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path(), disk = made(folder + "/disk"), file = folder + "/part.stl";
   write(file, "solid one\n");
   MeshCopies first(disk), second(disk);
   ASSERT_EQ(seen(first, file), "solid one\n");
@@ -81,7 +84,8 @@ TEST(MeshCopies, AreReadOnlyAsTheyWereMade) {
 
 // Nothing tidies up after SIGKILL but the next one.
 TEST(MeshCopies, OfOneThatWasKilledAreRemovedByTheNext) {
-  const std::string folder = fresh_folder(), disk = folder + "/disk", file = folder + "/part.stl";
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path(), disk = made(folder + "/disk"), file = folder + "/part.stl";
   write(file, "solid one\n");
   const pid_t child = ::fork();
   if (child == 0) {
@@ -101,7 +105,8 @@ TEST(MeshCopies, OfOneThatWasKilledAreRemovedByTheNext) {
 }
 
 TEST(MeshCopies, AreDoneWithoutWhereTheyCannotBe) {
-  const std::string folder = fresh_folder(), disk = folder + "/disk", file = folder + "/part.stl";
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path(), disk = made(folder + "/disk"), file = folder + "/part.stl";
   write(file, "solid one\n");
   MeshCopies nowhere(folder + "/gone");
   ASSERT_TRUE(nowhere.trouble().has_value());

@@ -10,6 +10,7 @@
 
 #include "lib/base/files.h"
 #include "tests/support/other_user.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::output_file_test {
 namespace {
@@ -19,18 +20,17 @@ namespace fs = std::filesystem;
 class OutputFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_output_file_" + std::to_string(::getpid());
     fs::create_directories(folder_ + "/there");
     std::ofstream(folder_ + "/old.csv") << "old";
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string reported(const std::string& file) const {
     const Diagnostics errors = find_unwritable({{"--csv", file}});
     return errors.empty() ? std::string() : errors.front().message;
   }
 
-  std::string folder_;
+  testing_support::TemporaryFolder temporary_;
+  std::string folder_ = temporary_.path();
 };
 
 TEST_F(OutputFile, WhatCannotBeWrittenIsFoundBefore) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "cli/output/report_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::overwriting_test {
 namespace {
@@ -16,12 +17,10 @@ namespace fs = std::filesystem;
 class Overwriting : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_overwriting_" + std::to_string(::getpid());
     fs::create_directories(folder_ + "/b");
     std::ofstream(path()) << "GOTO/0,0,0";
     std::ofstream(part()) << "solid";
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string path() const { return folder_ + "/a.apt"; }
   [[nodiscard]] std::string part() const { return folder_ + "/part.stl"; }
@@ -33,7 +32,8 @@ class Overwriting : public testing::Test {
     return {"--report", folder, Output::Kind::report_folder};
   }
 
-  std::string folder_;
+  testing_support::TemporaryFolder temporary_;
+  std::string folder_ = temporary_.path();
 };
 
 TEST_F(Overwriting, OutputsAreNeitherInputsNorOneAnother) {

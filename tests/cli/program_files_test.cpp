@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lib/base/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::program_files_test {
 namespace {
@@ -20,12 +21,8 @@ using Texts = std::vector<std::string>;
 class ProgramFiles : public ::testing::Test {
  protected:
   ProgramFiles() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("gouge_" + std::string(info->name()));
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "O9.nc");  // a folder is no program
   }
-  ~ProgramFiles() override { fs::remove_all(folder_); }
 
   /// Writes files that hold their names.
   void add(const Texts& names) const {
@@ -35,7 +32,8 @@ class ProgramFiles : public ::testing::Test {
     return with_files_beside({}, (folder_ / "main.nc").string(), 1000, {})->read_beside(name);
   }
 
-  fs::path folder_;
+  testing_support::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(ProgramFiles, OfANumberHaveAnyZerosAndEndings) {

@@ -16,6 +16,7 @@
 #include "postproc/report/write_report.h"
 #include "tests/postproc/image/small_scene.h"
 #include "tests/support/other_user.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::report_folder_test {
 namespace {
@@ -25,12 +26,7 @@ using Content = std::map<std::string, std::string>;
 
 class Folder : public testing::Test {
  protected:
-  void SetUp() override {
-    root_ = testing::TempDir() + "gouge_report_folder_" + std::to_string(::getpid());
-    folder_ = root_ + "/of/today";
-    fs::create_directories(root_);
-  }
-  void TearDown() override { fs::remove_all(root_); }
+  void SetUp() override {}
 
   /// The code of the first error, or "".
   std::string report(const Content& files, bool is_forced = false) {
@@ -62,7 +58,8 @@ class Folder : public testing::Test {
 
   const Content small_ = {{"report.html", "a"}, {"moves.csv", "b"}, {"event_1.png", "c"}};
   const Content large_ = {{"report.html", "A"}, {"moves.csv", "b"}, {"event_1.png", "C"}, {"event_5.png", "E"}};
-  std::string root_, folder_, message_;
+  testing_support::TemporaryFolder temporary_;
+  std::string root_ = temporary_.path(), folder_ = root_ + "/of/today", message_;
 };
 
 TEST_F(Folder, NamesTheToolpathOfTheReportThatItReplaces) {

@@ -17,6 +17,7 @@
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
 #include "lib/base/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -64,11 +65,7 @@ using Content = std::map<std::string, std::string>;
 
 class ReportKill : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_report_kill_" + std::to_string(::getpid());
-    chosen = -1;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { chosen = -1; }
 
   bool report(const Content& files) const {
     std::vector<NamedFile> named;
@@ -120,7 +117,8 @@ class ReportKill : public testing::Test {
 
   const Content old_ = {{"report.html", "a"}, {"moves.csv", "b"}, {"event_1.png", "c"}, {"event_5.png", "d"}};
   const Content new_ = {{"report.html", "A"}, {"moves.csv", "b"}, {"event_1.png", "C"}, {"heat_map.png", "E"}};
-  std::string folder_;
+  testing_support::TemporaryFolder temporary_;
+  std::string folder_ = temporary_.at("report");
 };
 
 TEST_F(ReportKill, AKillAtAnyCallLeavesAFolderTheNextReportKnows) {

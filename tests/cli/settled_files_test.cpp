@@ -5,23 +5,20 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/temporary_folder.h"
+
 namespace gouge::settled_files_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string fresh_folder() {
-  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::temp_directory_path() / ("gouge_" + std::string(info->name()));
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder.string();
-}
+using testing_support::TemporaryFolder;
 
 void add(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::app) << text; }
 
 TEST(SettledFiles, CountOnceNobodyHasWrittenThemForASecond) {
-  const std::string folder = fresh_folder(), file = folder + "/a.apt";
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path(), file = temporary.at("a.apt");
   SettledFiles files(folder);
   add(file, "GOTO/1,2,3\n");
   EXPECT_TRUE(files.look(10).empty());
@@ -44,7 +41,8 @@ TEST(SettledFiles, CountOnceNobodyHasWrittenThemForASecond) {
 }
 
 TEST(SettledFiles, GoByOurClockNotByTheTimesOfFiles) {
-  const std::string folder = fresh_folder(), file = folder + "/old.apt";
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path(), file = temporary.at("old.apt");
   SettledFiles files(folder);
   add(file, "FINI\n");
   fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1000));
@@ -53,7 +51,8 @@ TEST(SettledFiles, GoByOurClockNotByTheTimesOfFiles) {
 }
 
 TEST(SettledFiles, PassOverHiddenAndTemporaryOnesAndWhatThePatternLeavesOut) {
-  const std::string folder = fresh_folder();
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path();
   for (const char* name : {"a.apt", "b.cls", ".c.apt", "d.apt~", "e.apt.tmp", "f.apt.part", "g.apt.lock"})
     add(folder + "/" + name, "FINI\n");
   fs::create_directories(folder + "/below.apt");

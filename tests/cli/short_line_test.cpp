@@ -9,6 +9,7 @@
 #include "lib/base/files.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::short_line_test {
 namespace {
@@ -20,16 +21,11 @@ using Words = std::vector<std::string>;
 class ShortLine : public ::testing::Test {
  protected:
   ShortLine() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = (fs::temp_directory_path() / ("gouge_short_" + std::string(info->name()))).string();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     path = add("op.cls", "UNITS/MM\nGOTO/0,0,5\n");
     part = add("block.bin", shapes::ascii_stl(shapes::cube()));
     tools =
         add("lib.txt", R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"ball","diameter":8,"length":20}}]})");
   }
-  ~ShortLine() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string add(const std::string& name, const std::string& bytes) const {
     EXPECT_TRUE(write_file(folder_ + "/" + name, bytes));
@@ -41,7 +37,8 @@ class ShortLine : public ::testing::Test {
     return made ? *made : Words{to_text(made.error())};
   }
 
-  std::string folder_, path, part, tools;
+  testing_support::TemporaryFolder temporary_;
+  std::string folder_ = temporary_.path(), path, part, tools;
 };
 
 TEST_F(ShortLine, IsACheckWithItsReportBesideTheToolpath) {

@@ -1,13 +1,13 @@
 #include "cli/commands/tool_command.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <sstream>
 
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::tool_command_test {
 namespace {
@@ -28,14 +28,9 @@ struct Reported {
 
 class ToolCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_tool_command_" + std::to_string(::getpid());
-    fs::create_directories(folder_);
-    EXPECT_TRUE(write_file(path("shop.json"), kLibrary).has_value());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { EXPECT_TRUE(write_file(path("shop.json"), kLibrary).has_value()); }
 
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.at(name); }
 
   [[nodiscard]] Reported run(ToolAction action, const std::string& tool = "", const std::string& output = "") const {
     std::ostringstream out, err;
@@ -44,7 +39,7 @@ class ToolCommand : public testing::Test {
   }
 
  private:
-  std::string folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(ToolCommand, ListIsATableOfTheLibrary) {

@@ -1,7 +1,6 @@
 #include "cli/commands/tool_import.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <sstream>
@@ -9,6 +8,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "tests/support/source_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge::tool_import_test {
@@ -19,16 +19,13 @@ namespace fs = std::filesystem;
 class ToolImport : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_tool_import_" + std::to_string(::getpid());
-    fs::create_directories(folder_);
     arguments.tools_file = path("shop.json");
     EXPECT_TRUE(write_file(arguments.tools_file, R"({"units":"mm","tools":[],"holders":[{"name":"ER16",
       "segments":[{"lower_diameter":28,"upper_diameter":28,"length":40}]}]})")
                     .has_value());
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.at(name); }
 
   int run(const std::string& corpus_file) { return run_file(source_folder() + "/tests/corpus/tool/" + corpus_file); }
   int run_file(const std::string& file) {
@@ -44,7 +41,7 @@ class ToolImport : public testing::Test {
   std::string out, err;
 
  private:
-  std::string folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(ToolImport, ReportsWhatWasUnderstoodAndWhatWasAssumed) {

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/temporary_folder.h"
+
 namespace gouge::toolpath_files_test {
 namespace {
 
@@ -26,12 +28,8 @@ TEST(NamesOfToolpaths, StayEqualForOneFileGivenTwice) {
 }
 
 struct ToolpathFolder : testing::Test {
-  fs::path root = fs::path(testing::TempDir()) / "gouge_toolpath_files";
-
-  ToolpathFolder() { fs::remove_all(root); }
-  ~ToolpathFolder() override { fs::remove_all(root); }
-  ToolpathFolder(const ToolpathFolder&) = delete;
-  ToolpathFolder& operator=(const ToolpathFolder&) = delete;
+  testing_support::TemporaryFolder temporary;
+  fs::path root = temporary.path();
 
   void put(const std::string& name) const {
     fs::create_directories((root / name).parent_path());

@@ -13,6 +13,7 @@
 #include "tests/support/real_arcs.h"
 #include "tests/support/shapes.h"
 #include "tests/support/source_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
@@ -55,7 +56,8 @@ TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
     // The sequences of Creo break the path into other groups of moves, whose gouges are found to the resolution.
     arguments.resolution = "0.00001mm";
     if (std::string(name) == "nccs.cl") arguments.reading.units = "inch";
-    const std::string library = ::testing::TempDir() + "five_axis_tools.json";
+    const testing_support::TemporaryFolder folder;
+    const std::string library = folder.at("tools.json");
     std::ofstream(library) << R"({"units":"inch","tools":[
       {"number":1,"cutter":{"shape":"flat","diameter":0.75,"length":2}},
       {"number":2,"cutter":{"shape":"flat","diameter":0.75,"length":2}},

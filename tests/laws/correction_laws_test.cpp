@@ -3,7 +3,6 @@
 #include "tests/laws/correction_laws.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -20,6 +19,7 @@
 #include "tests/laws/guarantee.h"
 #include "tests/support/rotary_head_law.h"
 #include "tests/support/source_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::laws::correction_laws_test {
 namespace {
@@ -138,13 +138,12 @@ void hold_for(const JobArguments& arguments) {
 }
 
 TEST(CorrectionLaws, HoldForEverySample) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("gouge_correction_laws_" + std::to_string(::getpid()));
+  const testing_support::TemporaryFolder folder;
   for (const samples::Sample& sample : samples::make_all()) {
     if (!sample.heads.empty()) continue;  // the laws' own means know no heads
     SCOPED_TRACE(sample.name);
-    ASSERT_TRUE(samples::write_sample(sample, folder.string()).has_value());
-    const std::string own = (folder / sample.name).string() + "/";
+    ASSERT_TRUE(samples::write_sample(sample, folder.path()).has_value());
+    const std::string own = folder.at(sample.name) + "/";
     JobArguments arguments;
     arguments.path = own + sample.toolpath_file;
     arguments.tools_file = own + "tools.json";
@@ -153,7 +152,6 @@ TEST(CorrectionLaws, HoldForEverySample) {
     std::cout << sample.name << ": ";
     hold_for(arguments);
   }
-  std::filesystem::remove_all(folder);
 }
 
 struct Pair {
@@ -174,7 +172,8 @@ class CorrectionLawsOnRealPairs : public ::testing::TestWithParam<Pair> {
     arguments.parts = {(data / "parts/matched" / GetParam().part).string()};
     if (!std::filesystem::exists(path) || !std::filesystem::exists(arguments.parts[0]))
       GTEST_SKIP() << "the shared data is not here";
-    const std::string file = ::testing::TempDir() + "correction_laws_" + GetParam().name + ".apt";
+    const testing_support::TemporaryFolder folder;
+    const std::string file = folder.at("path.apt");
     std::ofstream(file, std::ios::binary) << edit(read_file(path.string()).value());
     arguments.path = file;
     arguments.reading.cutcom = "centre";

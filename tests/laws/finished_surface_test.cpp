@@ -2,7 +2,6 @@
 // one than the tolerance and 0.01 mm. The swept cutter is measured against points of the surface by sampled motions, by
 // means of its own: the distance of a point to the cutter's contour, nothing of lib/tilt.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +21,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
@@ -141,17 +141,15 @@ Result<LawfulCorrection> correct_without_file(const Toolpath& path, const CheckS
 
 // The last pass of `freeform`, whose holder is in the wall: points of its triangles within reach of the cutter.
 TEST(FinishedSurface, OfTheFreeformsTiltedPassIsAsFinishedAsBefore) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("gouge_finished_surface_" + std::to_string(::getpid()));
+  const testing_support::TemporaryFolder folder;
   const samples::Sample sample = samples::make_freeform();
-  ASSERT_TRUE(samples::write_sample(sample, folder.string()).has_value());
-  const std::string own = (folder / sample.name).string() + "/";
+  ASSERT_TRUE(samples::write_sample(sample, folder.path()).has_value());
+  const std::string own = folder.at(sample.name) + "/";
   JobArguments arguments;
   arguments.path = own + sample.toolpath_file;
   arguments.tools_file = own + "tools.json";
   for (const auto& part : sample.parts) arguments.parts.push_back(own + part.file);
   const Job job = guarantee::load(arguments);
-  std::filesystem::remove_all(folder);
   const PreparedScene scene = prepare_scene(job.scene());
   const Result<LawfulCorrection> corrected = correct_without_file(job.toolpath, job.setup(scene), {});
   ASSERT_TRUE(corrected.has_value());

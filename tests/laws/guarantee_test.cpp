@@ -6,6 +6,7 @@
 #include "samples/cases.h"
 #include "samples/write_sample.h"
 #include "tests/laws/guarantee.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::guarantee_test {
 namespace {
@@ -45,9 +46,8 @@ class GuaranteeOnSamples : public ::testing::TestWithParam<SampleCase> {
  protected:
   void SetUp() override {
     const samples::Sample sample = GetParam().make();
-    folder_ = std::filesystem::temp_directory_path() / ("gouge_promise_" + std::to_string(::getpid()));
-    ASSERT_TRUE(samples::write_sample(sample, folder_.string()).has_value());
-    const std::string own = (folder_ / sample.name).string() + "/";
+    ASSERT_TRUE(samples::write_sample(sample, folder_.path()).has_value());
+    const std::string own = folder_.at(sample.name) + "/";
     JobArguments arguments;
     arguments.path = own + sample.toolpath_file;
     arguments.tools_file = own + "tools.json";
@@ -58,9 +58,7 @@ class GuaranteeOnSamples : public ::testing::TestWithParam<SampleCase> {
     result_ = guarantee::check_job(job_);
   }
 
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_;
+  testing_support::TemporaryFolder folder_;
   Job job_;
   CheckResult result_;
 };

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tests/cli/library/block.h"
+#include "tests/support/temporary_folder.h"
 
 // Bad input is an Error with its code, not a result.
 
@@ -26,11 +27,12 @@ std::string code_of(const std::function<void()>& call) {
   return "no error";
 }
 
-std::string written(const std::string& name, const std::string& text) {
-  std::string file = testing::TempDir() + name;
-  std::ofstream(file, std::ios::binary) << text;
-  return file;
-}
+/// A toolpath file in a folder of its own.
+struct Written {
+  explicit Written(const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+  gouge::testing_support::TemporaryFolder folder;
+  std::string file = folder.at("path.apt");
+};
 
 TEST(LibraryErrors, OfMeshes) {
   const std::vector<Vec3> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, broken = {{0, 0, 0}, {1, 0, 0}, {0, kNaN, 0}};
@@ -111,9 +113,8 @@ TEST(LibraryErrors, OfMachinesAndLaws) {
 }
 
 TEST(LibraryErrors, OneToolIsNotForAPathOfSeveral) {
-  const std::string file =
-      written("gougecheck_two_tools.apt", "UNITS/MM\nLOADTL/1\nGOTO/0,0,9\nLOADTL/2\nGOTO/5,0,9\nFINI\n");
-  const Path path = Path::read(file);
+  const Written written("UNITS/MM\nLOADTL/1\nGOTO/0,0,9\nLOADTL/2\nGOTO/5,0,9\nFINI\n");
+  const Path path = Path::read(written.file);
   const Tool tool("flat", {{"diameter", 1}, {"length", 2}});
   EXPECT_EQ(code_of([&] { (void)check(path, block(), tool); }), "tool-ambiguous");
   const ToolLibrary one = ToolLibrary::from_json(
@@ -125,16 +126,14 @@ TEST(LibraryErrors, OneToolIsNotForAPathOfSeveral) {
   const ToolLibrary other = ToolLibrary::from_json(
       R"({"units":"mm","tools":[{"number":9,"cutter":{"shape":"flat","diameter":1,"length":2}}]})");
   EXPECT_EQ(code_of([&] { (void)check(path, block(), other); }), "no-tool");
-  std::remove(file.c_str());
 }
 
 TEST(LibraryErrors, AReportDoesNotOverwriteItsInputs) {
-  const std::string file = written("gougecheck_input.txt", "UNITS/MM\nLOADTL/1\nGOTO/0,0,9\nFINI\n");
-  const Report report = check(Path::read(file), block(), Tool("flat", {{"diameter", 1}, {"length", 2}}));
-  EXPECT_EQ(code_of([&] { report.write(file); }), "usage");
+  const Written written("UNITS/MM\nLOADTL/1\nGOTO/0,0,9\nFINI\n");
+  const Report report = check(Path::read(written.file), block(), Tool("flat", {{"diameter", 1}, {"length", 2}}));
+  EXPECT_EQ(code_of([&] { report.write(written.file); }), "usage");
   EXPECT_EQ(code_of([&] { report.write("report.pdf"); }), "usage");
   EXPECT_EQ(code_of([&] { report.write("/no/such/folder/report.txt"); }), "file-unwritable");
-  std::remove(file.c_str());
 }
 
 }  // namespace

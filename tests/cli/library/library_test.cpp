@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "tests/cli/library/block.h"
+#include "tests/support/temporary_folder.h"
 
 // The interface for other programs, against results known by hand.
 
@@ -98,12 +99,11 @@ TEST(LibraryCheck, IsTheSameAtAnyNumberOfThreads) {
 
 TEST(LibraryReport, IsWrittenInTheFormOfItsExtension) {
   const Report report = check(crossing(), block(), ball());
-  const std::string folder = testing::TempDir();
+  const gouge::testing_support::TemporaryFolder folder;
   for (const char* extension : {".json", ".csv", ".sarif", ".xml", ".html", ".txt"}) {
-    const std::string file = folder + "gougecheck_report" + extension;
+    const std::string file = folder.at(std::string("report") + extension);
     report.write(file);
     EXPECT_FALSE(text_of(file).empty()) << extension;
-    std::remove(file.c_str());
   }
 }
 
@@ -111,7 +111,8 @@ TEST(LibraryPath, OfMemoryReadsBackFromItsText) {
   const std::vector<Vec3> tips = {{0.1, 1.0 / 3, -7e-5}, {1e3, 2, 3}}, axes = {{0, 0, 2}, {1, 1, 1}};
   const bool rapids[] = {false, true};
   const Path path(tips, axes, rapids);
-  const std::string file = testing::TempDir() + "gougecheck_path.apt";
+  const gouge::testing_support::TemporaryFolder folder;
+  const std::string file = folder.at("path.apt");
   std::ofstream(file, std::ios::binary) << path.text();
   const Path read = Path::read(file);
   ASSERT_EQ(read.size(), 2U);
@@ -120,7 +121,6 @@ TEST(LibraryPath, OfMemoryReadsBackFromItsText) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(read.axes()[i][k], path.axes()[i][k], 1e-15);
     EXPECT_EQ(read.kinds()[i], path.kinds()[i]);
   }
-  std::remove(file.c_str());
 }
 
 TEST(LibraryTool, IsTheSameFromItsJson) {
@@ -166,7 +166,8 @@ TEST(LibraryCheck, FollowsTheMachineAndItsLaws) {
 }
 
 TEST(LibraryCheck, ReadsAProgramAsItsMachineRunsIt) {
-  const std::string file = testing::TempDir() + "turn.ngc";
+  const gouge::testing_support::TemporaryFolder folder;
+  const std::string file = folder.at("turn.ngc");
   // Around the corner of the block without tool centre point control, and straight through it with.
   std::ofstream(file) << "G21 G90 G17 G94 G61\n#<way>=1\nG0 X60 Y0 Z-8 A0 C0\nG1 C90 F500\nM2\n";
   ProgramOptions options;
@@ -226,7 +227,8 @@ TEST(LibraryCheck, TakesFactsOfJoints) {
 TEST(LibraryCheck, CoversTheTolerancesOfTheControlAndIntervals) {
   // The tip is 0.2 mm above the block.
   const std::vector<Vec3> tips = {{20, 10, 0.2}, {21, 10, 0.2}};
-  const std::string file = testing::TempDir() + "library_machine.json";
+  const gouge::testing_support::TemporaryFolder folder;
+  const std::string file = folder.at("machine.json");
   std::ofstream(file) << R"({"name": "m", "joints": [
     {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "point": [0, 0, 0], "continuous": true},
     {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
@@ -245,7 +247,6 @@ TEST(LibraryCheck, CoversTheTolerancesOfTheControlAndIntervals) {
   EXPECT_NEAR(check(Path(tips, kUp), block(), ball(), options).depth()[1], 0.15, 2e-3);
   options.tool_length_slack = -1;
   EXPECT_THROW((void)check(Path(tips, kUp), block(), ball(), options), Error);
-  std::remove(file.c_str());
 }
 
 TEST(LibraryStock, RapidsMeetWhatIsLeftOfTheStock) {

@@ -4,15 +4,17 @@
 
 #include <filesystem>
 
+#include "tests/support/temporary_folder.h"
+
 namespace gouge::files_test {
 namespace {
 
 TEST(Files, WriteThenReadGivesTheSameBytes) {
-  const std::string path = testing::TempDir() + "gouge_files_test.bin";
+  const testing_support::TemporaryFolder folder;
+  const std::string path = folder.at("files.bin");
   const std::string bytes("a\0b\r\n\xff", 6);
   ASSERT_TRUE(write_file(path, bytes).has_value());
   EXPECT_EQ(*read_file(path), bytes);
-  std::filesystem::remove(path);
 }
 
 TEST(Files, WhatCannotBeReadSaysWhy) {
@@ -21,7 +23,8 @@ TEST(Files, WhatCannotBeReadSaysWhy) {
 }
 
 TEST(Files, AViewShowsTheSameBytesAndOutlivesTheName) {
-  const std::string path = testing::TempDir() + "gouge_view_test.bin";
+  const testing_support::TemporaryFolder folder;
+  const std::string path = folder.at("view.bin");
   const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(100'000, 'x');
   ASSERT_TRUE(write_file(path, bytes).has_value());
   const Result<FileView> view = view_file(path);
@@ -31,10 +34,10 @@ TEST(Files, AViewShowsTheSameBytesAndOutlivesTheName) {
 }
 
 TEST(Files, AViewOfWhatIsNoPlainFileIsRead) {
-  const std::string path = testing::TempDir() + "gouge_view_empty.bin";
+  const testing_support::TemporaryFolder folder;
+  const std::string path = folder.at("empty.bin");
   ASSERT_TRUE(write_file(path, "").has_value());
   EXPECT_EQ(view_file(path)->bytes, "");
-  std::filesystem::remove(path);
   EXPECT_EQ(view_file("/no/such/file").error().code, "file-not-found");
   EXPECT_EQ(view_file("/tmp").error().code, "file-is-folder");
 }

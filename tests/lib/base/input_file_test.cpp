@@ -14,6 +14,7 @@
 
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::input_file_test {
 namespace {
@@ -23,16 +24,9 @@ namespace fs = std::filesystem;
 // A name in a folder of the test's own, which goes with it.
 class InputFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / ("gouge_input_" + std::string(info->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::signal(SIGPIPE, SIG_IGN);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { std::signal(SIGPIPE, SIG_IGN); }
 
-  [[nodiscard]] std::string path() const { return (folder_ / "input").string(); }
+  [[nodiscard]] std::string path() const { return folder_.at("input"); }
 
   // Written an hour ago, so that a change now shows whatever the clock's steps.
   void write(const std::string& bytes) const {
@@ -40,7 +34,7 @@ class InputFileTest : public testing::Test {
     fs::last_write_time(path(), fs::file_time_type::clock::now() - std::chrono::hours(1));
   }
 
-  fs::path folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 // Reads the rest of the file.

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/temporary_folder.h"
+
 namespace gouge::similar_name_test {
 namespace {
 
@@ -16,16 +18,13 @@ TEST(SimilarName, IsTheNearestByLetters) {
 }
 
 struct MissingFile : testing::Test {
-  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "gouge_missing_file";
+  testing_support::TemporaryFolder temporary;
+  std::filesystem::path folder = temporary.path();
 
   MissingFile() {
-    std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "blade.stl.d");
     for (const char* name : {"blade.STL", "op10 finish.apt", "op20 finish.apt"}) std::ofstream(folder / name) << "x";
   }
-  ~MissingFile() override { std::filesystem::remove_all(folder); }
-  MissingFile(const MissingFile&) = delete;
-  MissingFile& operator=(const MissingFile&) = delete;
 
   [[nodiscard]] std::string message(const std::string& name) const {
     return describe_missing_file((folder / name).string()).message;

@@ -12,6 +12,7 @@
 
 #include "lib/base/files.h"
 #include "tests/support/other_user.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::staged_file_test {
 namespace {
@@ -21,12 +22,9 @@ namespace fs = std::filesystem;
 class Staged : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_staged_" + std::to_string(::getpid());
-    fs::create_directories(folder_);
     // Everybody may make files here, so that only the files themselves are closed to another user.
     fs::permissions(folder_, fs::perms::all);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
   void put(const std::string& name, const std::string& text) const { std::ofstream(at(name)) << text; }
@@ -39,7 +37,8 @@ class Staged : public testing::Test {
     return found;
   }
 
-  std::string folder_;
+  testing_support::TemporaryFolder temporary_;
+  std::string folder_ = temporary_.path();
 };
 
 TEST_F(Staged, NothingStandsThereBeforeTheCommitAndNothingIsLeftWithoutOne) {

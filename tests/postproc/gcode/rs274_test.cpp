@@ -15,6 +15,7 @@
 #include "tests/postproc/gcode/program.h"
 #include "tests/support/scatter.h"
 #include "tests/support/source_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gouge::test::rs274_test {
 namespace {
@@ -50,14 +51,10 @@ std::vector<double> numbers_in(const std::string& line) {
 
 class Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("gouge_rs274_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path_);
-    std::ofstream(path_ / "v.var") << "";
-    std::ofstream(path_ / "t.tbl") << "T1 P1 Z0 D1\nT2 P2 Z0 D8\n";
+  Folder() {
+    std::ofstream(folder_.at("v.var")) << "";
+    std::ofstream(folder_.at("t.tbl")) << "T1 P1 Z0 D1\nT2 P2 Z0 D8\n";
   }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
 
   /// Runs a program; once more where it is refused, as the machine may have been too busy for the time limit.
   OracleRun run(const std::string& text) const {
@@ -67,10 +64,10 @@ class Folder {
 
  private:
   OracleRun run_once(const std::string& text) const {
-    const std::string in = (path_ / "p.ngc").string(), out = (path_ / "p.out").string();
+    const std::string in = folder_.at("p.ngc"), out = folder_.at("p.out");
     std::ofstream(in) << text;
     const std::string command =
-        "cd " + path_.string() + " && timeout 20 " + oracle() + " -g -v v.var -t t.tbl " + in + " >" + out + " 2>&1";
+        "cd " + folder_.path() + " && timeout 20 " + oracle() + " -g -v v.var -t t.tbl " + in + " >" + out + " 2>&1";
     OracleRun run;
     run.is_refused = std::system(command.c_str()) != 0;
     std::ifstream lines(out);
@@ -98,7 +95,7 @@ class Folder {
     return run;
   }
 
-  std::filesystem::path path_;
+  testing_support::TemporaryFolder folder_;
 };
 
 /// Motions without those that stand: both sides state some.

@@ -5,20 +5,18 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/temporary_folder.h"
+
 namespace gouge::work_store_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string fresh_file() {
-  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::temp_directory_path() / ("gouge_" + std::string(info->name()));
-  fs::remove_all(folder);
-  return (folder / "below" / "job.work").string();
-}
+using testing_support::TemporaryFolder;
 
 TEST(WorkStore, KeepsEveryByteOfEachStretchForTheNextToOpenIt) {
-  const std::string file = fresh_file();
+  const TemporaryFolder folder;
+  const std::string file = folder.at("below/job.work");
   const std::string bytes("any\0bytes\xff", 10);
   {
     WorkStore store(file, 100);
@@ -40,7 +38,8 @@ TEST(WorkStore, KeepsEveryByteOfEachStretchForTheNextToOpenIt) {
 }
 
 TEST(WorkStore, BeginsAnewWhereTheFileIsDamaged) {
-  const std::string file = fresh_file();
+  const TemporaryFolder folder;
+  const std::string file = folder.at("below/job.work");
   WorkStore(file, 1).keep("moves", 0, "lost");
   std::ofstream(file, std::ios::trunc) << std::string(5000, 'x');
   WorkStore store(file, 1);
@@ -50,7 +49,8 @@ TEST(WorkStore, BeginsAnewWhereTheFileIsDamaged) {
 }
 
 TEST(WorkStore, IsOfOneAtATimeAndKeepsNothingForAnother) {
-  const std::string file = fresh_file();
+  const TemporaryFolder folder;
+  const std::string file = folder.at("below/job.work");
   WorkStore store(file, 1);
   store.keep("moves", 0, "mine");
   WorkStore other(file, 1);
@@ -60,7 +60,8 @@ TEST(WorkStore, IsOfOneAtATimeAndKeepsNothingForAnother) {
 }
 
 TEST(WorkStore, KeepsNothingWhereNoFolderCanBeMade) {
-  const std::string file = fresh_file();
+  const TemporaryFolder folder;
+  const std::string file = folder.at("below/job.work");
   fs::create_directories(fs::path(file).parent_path().parent_path());
   std::ofstream(fs::path(file).parent_path()) << "a file";
   WorkStore store(file, 1);
@@ -69,7 +70,8 @@ TEST(WorkStore, KeepsNothingWhereNoFolderCanBeMade) {
 }
 
 TEST(WorkStore, IsRemovedWithWhatIsBesideIt) {
-  const std::string file = fresh_file();
+  const TemporaryFolder folder;
+  const std::string file = folder.at("below/job.work");
   WorkStore(file, 1).keep("moves", 0, "done");
   remove_work_store(file);
   EXPECT_TRUE(fs::is_empty(fs::path(file).parent_path()));

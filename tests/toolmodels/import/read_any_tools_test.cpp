@@ -1,11 +1,11 @@
 #include "toolmodels/import/read_any_tools.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/toolmodels/import/import_helpers.h"
 #include "toolmodels/tool_library.h"
 
@@ -24,23 +24,17 @@ std::string bit(const std::string& name, const std::string& diameter) {
 /// Folders like those of FreeCAD, below one of the test's own.
 class ToolFolders : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "gouge_tool_folders_" + std::to_string(::getpid());
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void write(const std::string& name, const std::string& text) const {
     fs::create_directories(fs::path(at(name)).parent_path());
     ASSERT_TRUE(write_file(at(name), text).has_value());
   }
-  [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string at(const std::string& name) const { return folder_.at(name); }
   [[nodiscard]] Result<ReadTools> read(const std::string& name) const {
     return read_any_tools(at(name), *read_file(at(name)), kMaxBytes);
   }
 
  private:
-  std::string folder_;
+  testing_support::TemporaryFolder folder_;
 };
 
 TEST_F(ToolFolders, BitsAreFoundInFoldersOfAnyCase) {
