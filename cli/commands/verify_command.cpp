@@ -252,7 +252,7 @@ int run_verify(const VerifyArguments& typed, std::ostream& out, std::ostream& er
     return fail(err,
                 {make_error("verify-input",
                             "the result does not name the file of the " + result->not_recorded +
-                                ", which was given to the library or to Python; expected a result of gougecheck check",
+                                ", which was in memory of the library or of Python; expected files for all inputs",
                             a.result_file)},
                 kExitInput);
   result->arguments.input = a.input;

@@ -50,6 +50,7 @@ class ClaimTaker {
     const std::vector<JsonField> inputs = root_.at("inputs").list();
     for (std::size_t k = 0; k < record_.inputs.size(); ++k) take_input(inputs[k], record_.inputs[k]);
     result_.not_recorded = first_not_recorded();
+    if (result_.not_recorded.empty()) result_.not_recorded = stock_not_recorded();
     take_options(record_.options);
     if (result_.arguments.has_warnings_as_errors) take_warnings();
     result_.totals = record_.totals;
@@ -73,6 +74,18 @@ class ClaimTaker {
     };
     const auto other = std::ranges::find_if_not(record_.tools, is_recorded);
     return other == record_.tools.end() ? std::string() : "tool " + other->name;
+  }
+
+  /// Returns the stock, or the program before the path, whose file the result does not name.
+  [[nodiscard]] std::string stock_not_recorded() const {
+    for (const std::string& name : all_given("stock"))
+      if (names_stock_file(name) && stock_file_.empty()) return "stock " + name;
+    for (const std::string& typed : all_given("before")) {
+      const BeforeText before = split_before(typed);
+      if (!found_.contains(before.path)) return "program " + before.path + " before it";
+      if (!before.tools.empty() && !found_.contains(before.tools)) return "tools of the program " + before.path;
+    }
+    return {};
   }
 
   void take_fact(const Assumption& fact) {

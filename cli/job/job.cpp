@@ -14,9 +14,8 @@
 #include "cli/options/joint_options.h"
 #include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
+#include "cli/tools/identities.h"
 #include "cli/tools/resolve_tools.h"
-#include "lib/base/number_text.h"
-#include "lib/base/sha256.h"
 #include "lib/base/units.h"
 #include "lib/check/scene_reach.h"
 #include "lib/geom/pose.h"
@@ -31,37 +30,6 @@
 
 namespace gouge {
 namespace {
-
-constexpr std::size_t kDigits = 32;
-
-// Returns 32 hexadecimal digits that are equal for equal units and equal places of the STL files, in any notation.
-std::string placement_identity(const RigidTransform& place, LengthUnit stl_unit) {
-  std::string text = unit_name(stl_unit);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) text += ' ' + exact_text(place.rotation(row, column));
-    text += ' ' + exact_text(place.shift[row]);
-  }
-  return sha256_of(text).substr(0, kDigits);
-}
-
-// Sets ToolFacts::identity and ::bodies of a tool from its dimensions, independent of its name and number. With
-// `is_extended_up` its top body has no end.
-void identify_tool(const ToolAssembly& tool, bool is_extended_up, ToolFacts& facts) {
-  ToolLibrary library;
-  library.tools = {tool};
-  ToolAssembly& bare = library.tools.front();
-  bare.number.reset();
-  bare.name.clear();
-  bare.gauge_length_mm = 0;
-  for (ToolExtension& extension : bare.extensions) extension.name.clear();
-  facts.identity = sha256_of(write_tool_library(library) + (is_extended_up ? "extended up" : "")).substr(0, kDigits);
-  const auto counts_as = [&](Body body) {
-    return std::ranges::any_of(tool.extensions, [&](const ToolExtension& one) { return one.counts_as == body; });
-  };
-  facts.bodies = {Body::cutter};
-  if (!tool.shank.empty() || counts_as(Body::shank)) facts.bodies.push_back(Body::shank);
-  if (!tool.holder.empty() || counts_as(Body::holder)) facts.bodies.push_back(Body::holder);
-}
 
 // Estimates for each event the chord error of its part at the triangle of the worst move; 0 for other events.
 std::vector<double> chord_errors_mm(const std::vector<IndexedMesh>& parts, const CheckResult& result) {

@@ -81,7 +81,7 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
   };
   gouge::LawfulCorrection corrected = value_or_raise(gouge::correct_lawfully(path, before, setup, options, rewrite));
   CheckedPath after = checked;
-  after.path = PathAccess::from(std::move(corrected.after.path), false);
+  after.path = PathAccess::rewritten(std::move(corrected.after.path));
   const Path written = after.path;
   Correction result{written,
                     make_report(std::move(checked), std::move(before)),

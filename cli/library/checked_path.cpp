@@ -10,6 +10,7 @@
 #include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_facts.h"
 #include "cli/machine/rate_notes.h"
+#include "cli/tools/identities.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -34,26 +35,13 @@ double length(const char* name, double value, double least = 0) {
       "usage", std::string(name) + ": " + found + "; expected " + gouge::exact_text(least) + " to 100000 mm"));
 }
 
-gouge::MeshFacts facts_of(const Mesh& mesh) {
-  const Mesh::Content& content = mesh.content();
-  gouge::MeshFacts facts;
-  facts.name = mesh.name();
-  facts.triangles = content.mesh().triangles.size();
-  facts.vertices = content.mesh().vertices.size();
-  facts.dropped = content.findings.degenerate_triangles.count;
-  facts.is_closed = content.findings.is_watertight();
-  for (const gouge::Diagnostic& note : content.notes) {
-    if (note.severity == gouge::Severity::warning) facts.meaning += (facts.meaning.empty() ? "" : "; ") + note.message;
-  }
-  return facts;
-}
-
 gouge::ToolFacts facts_of(const gouge::ToolAssembly& tool) {
   gouge::ToolFacts facts;
   facts.name = gouge::label(tool);
   facts.defined_in = "memory";
   facts.description = gouge::shape_name(tool.cutter);
   facts.has_holder = !tool.holder.empty();
+  gouge::identify_tool(tool, false, facts);
   return facts;
 }
 
@@ -136,7 +124,7 @@ void require_same_machine(const Path& path, const UnderstoodCheck& understood) {
   const gouge::Toolpath& program = path.content().path;
   if (program.joints == nullptr || program.dialect != gouge::kProgramDialect) return;
   const std::string of_check = understood.machine == nullptr ? "" : understood.machine->key;
-  if (of_check.empty() || of_check != path.content().machine)
+  if (of_check.empty() || of_check != path.content().program.machine)
     raise(gouge::make_error("gcode-machine",
                             "the program was read with another machine than that of the check; expected the same "
                             "machine, joints, zero and tool length in both",
@@ -170,7 +158,7 @@ CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathT
   if (understood.machine != nullptr) {
     const gouge::ChosenMachine& chosen = understood.machine->chosen;
     gouge::TurnLaws laws = chosen.laws;
-    if (const auto law = gouge::turn_law_called(path.content().joint_rapid_law)) laws.joint_rapids = law;
+    if (const auto law = gouge::turn_law_called(path.content().program.joint_rapid_law)) laws.joint_rapids = law;
     if (auto error = gouge::add_joint_laws(chosen.machine, laws, chosen.tool_length_mm, options.tool_length_slack,
                                            path.content().path, understood.options.law))
       raise(*error);
@@ -291,7 +279,10 @@ CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& lib
   tools->notes = std::move(resolved.notes);
   tools->assumptions = std::move(resolved.assumptions);
   tools->assemblies = std::move(resolved.assemblies);
-  tools->file = library.content().file;
+  for (std::size_t i = 0; i < tools->assemblies.size(); ++i)
+    if (tools->assemblies[i]) gouge::identify_tool(*tools->assemblies[i], false, tools->facts[i]);
+  tools->files = library.content().files;
+  tools->is_by_facts = library.content().is_by_facts;
   return completed(path, scene, std::move(tools), options, std::move(understood));
 }
 
@@ -302,60 +293,6 @@ gouge::CheckSetup CheckedPath::setup() const {
           .options = options,
           .basis = basis,
           .stock = stock == nullptr ? nullptr : &*stock->setup};
-}
-
-gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
-  gouge::ReportModel model;
-  const gouge::Toolpath& toolpath = path.content().path;
-  if (!path.content().is_from_memory)
-    model.inputs.push_back(gouge::describe_input("toolpath", toolpath.file, toolpath.source));
-  if (machine != nullptr) {
-    if (machine->file) model.inputs.push_back(*machine->file);
-    model.more_options = machine->options;
-  }
-  if (path.content().facts && !path.content().facts->cutcom.empty())
-    model.more_options.push_back({"cutcom", path.content().facts->cutcom});
-  if (stated_tube.tip_mm > 0)
-    model.more_options.push_back({"tip-tolerance", gouge::exact_text(stated_tube.tip_mm) + "mm"});
-  if (options.tube.axis_rad > 0)
-    model.more_options.push_back({"axis-tolerance", gouge::exact_text(options.tube.axis_rad / gouge::kDegree_rad)});
-  if (stock != nullptr)
-    model.more_options.insert(model.more_options.end(), stock->options.begin(), stock->options.end());
-  model.options = options;
-  model.toolpath = &toolpath;
-  model.result = &result;
-  model.notes = toolpath.notes;
-  for (const Mesh& part : scene.parts()) model.parts.push_back(facts_of(part));
-  for (const Mesh& fixture : scene.fixtures()) model.fixtures.push_back(facts_of(fixture));
-  for (std::size_t i = 0; i < scene.fixture_clearances().size(); ++i)
-    model.fixtures[i].clearance_mm = scene.fixture_clearances()[i];
-  for (const auto& meshes : {scene.parts(), scene.fixtures()}) {
-    for (const Mesh& mesh : meshes)
-      model.notes.insert(model.notes.end(), mesh.content().notes.begin(), mesh.content().notes.end());
-  }
-  model.tools = tools->facts;
-  model.notes.insert(model.notes.end(), tools->notes.begin(), tools->notes.end());
-  if (stock != nullptr) model.notes.insert(model.notes.end(), stock->notes.begin(), stock->notes.end());
-  const gouge::Diagnostics open = gouge::open_warnings(result.assumptions);
-  model.notes.insert(model.notes.end(), open.begin(), open.end());
-  return model;
-}
-
-std::vector<std::string> CheckedPath::inputs() const {
-  std::vector<std::string> files;
-  if (!path.content().is_from_memory) files.push_back(path.name());
-  for (const auto& meshes : {scene.parts(), scene.fixtures()}) {
-    for (const Mesh& mesh : meshes) {
-      if (!mesh.content().file.empty()) files.push_back(mesh.content().file);
-    }
-  }
-  if (!tools->file.empty()) files.push_back(tools->file);
-  if (machine != nullptr && machine->file) files.push_back(machine->file->name);
-  if (stock == nullptr) return files;
-  for (const Mesh& mesh : stock->meshes) {
-    if (!mesh.content().file.empty()) files.push_back(mesh.content().file);
-  }
-  return files;
 }
 
 }  // namespace gougecheck

@@ -16,7 +16,8 @@ struct PathTools {
   std::vector<gouge::ToolFacts> facts;
   gouge::Diagnostics notes;
   gouge::Assumptions assumptions;                              // about the tools and their holders
-  std::string file;                                            // of the library; empty: from memory
+  std::vector<gouge::InputFile> files;                         // of the library; empty: from memory
+  bool is_by_facts = false;                                    // read with facts that the file does not state
   std::vector<std::optional<gouge::ToolAssembly>> assemblies;  // one for each of Toolpath::tools
 
   [[nodiscard]] std::vector<const gouge::ToolVariants*> pointers() const;

@@ -15,6 +15,7 @@
 #include "lib/mesh/mesh_findings.h"
 #include "lib/path/toolpath.h"
 #include "postproc/formats/read_toolpath.h"
+#include "postproc/report/report_model.h"
 #include "toolmodels/tool_library.h"
 
 // Content of the public classes, for the sources of this module. Here a Result becomes a value or is thrown as an
@@ -65,8 +66,9 @@ struct Mesh::Content {
   SceneIndex index;  // index of the mesh as the only part
   gouge::MeshFindings findings;
   gouge::Diagnostics notes;
-  std::string file;               // empty: from memory
-  bool has_unknown_unit = false;  // read from a file without a unit: a check takes the unit of its path
+  gouge::InputFile file;                           // without a role; without a name: from memory
+  gouge::LengthUnit unit = gouge::LengthUnit::mm;  // in which the file was read
+  bool has_unknown_unit = false;                   // read without a unit: a check takes the unit of its path
   mutable std::once_flag inch_once;
   mutable std::shared_ptr<const Content> in_inches;  // the mesh of the same file, read in inches
 };
@@ -100,15 +102,24 @@ struct Tool::Content {
 
 struct ToolLibrary::Content {
   gouge::ToolLibrary library;
-  std::string file;  // empty: from memory
+  std::vector<gouge::InputFile> files = {};  // that of the library, then those that it names; empty: from memory
+  bool is_by_facts = false;                  // read with facts that the file does not state
+};
+
+/// What the text of a program does not state.
+struct ProgramOrigin {
+  std::string machine;  // with which it was read, with its facts; empty: none
+  std::string joint_rapid_law;
+  std::vector<gouge::OptionText> options;  // as the command records them
+  std::vector<gouge::InputFile> files;     // that were read beside it
 };
 
 struct Path::Content {
   gouge::Toolpath path;
-  bool is_from_memory = false;
+  bool is_from_memory = false;     // its text is made from its positions
+  bool is_rewritten = false;       // its text is that of a correction, not that of the file of its name
   std::optional<ReadFacts> facts;  // those with which its text was read; none: it is not read by its text alone
-  std::string machine;             // of a program: the machine with which it was read, with its facts; empty: none
-  std::string joint_rapid_law;     // of a program
+  ProgramOrigin program;           // of a program
   std::vector<Vec3> tips, axes;
   std::vector<MoveKind> kinds;
   std::vector<std::uint32_t> lines;
@@ -117,8 +128,10 @@ struct Path::Content {
 /// Access for code that makes paths from other paths.
 struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
-  /// Returns the path with the machine with which it was read.
-  [[nodiscard]] static Path of_machine(const Path& path, std::string machine, std::string joint_rapid_law);
+  /// Returns the path of a program with its origin.
+  [[nodiscard]] static Path with_program(const Path& path, ProgramOrigin origin);
+  /// Returns the path that a correction wrote.
+  [[nodiscard]] static Path rewritten(gouge::Toolpath path);
   /// Returns another path with the machine and the facts with which `path` was read.
   [[nodiscard]] static Path with_origin_of(const Path& path, gouge::Toolpath other);
   /// Returns the path as one that its text and these facts give.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/library/content.h"
+#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/check/scene_reach.h"
 #include "lib/mesh/load_mesh.h"
@@ -43,10 +44,10 @@ void require_mesh_reach(const gouge::IndexedMesh& mesh) {
   if (const auto error = gouge::find_too_far(mesh, "mesh", kAdvice)) raise(*error);
 }
 
-// Returns the mesh scaled by a factor. Triangles that were left out are not visible in it, so their counts are copied.
-std::shared_ptr<Mesh::Content> scaled(const Mesh::Content& given, double factor) {
+// Returns a mesh of mm as read in `unit`. Triangles that were left out are not visible in it, so their counts are copied.
+std::shared_ptr<Mesh::Content> read_in(gouge::LengthUnit unit, const Mesh::Content& given) {
   gouge::IndexedMesh mesh = given.mesh();
-  for (gouge::Vec3& vertex : mesh.vertices) vertex *= factor;
+  for (gouge::Vec3& vertex : mesh.vertices) vertex *= gouge::mm_per(unit);
   require_mesh_reach(mesh);
   gouge::MeshFindings findings = gouge::find_mesh_findings(mesh);
   findings.degenerate_triangles = given.findings.degenerate_triangles;
@@ -56,6 +57,7 @@ std::shared_ptr<Mesh::Content> scaled(const Mesh::Content& given, double factor)
   content->notes = gouge::describe(findings, given.mesh().name);
   content->findings = std::move(findings);
   content->file = given.file;
+  content->unit = unit;
   return content;
 }
 
@@ -76,12 +78,15 @@ Mesh::Mesh(std::span<const Vec3> vertices, std::span<const Triangle> faces, std:
 Mesh Mesh::read_stl(const std::string& file, const std::string& unit) {
   const auto known = unit.empty() ? gouge::LengthUnit::mm : gouge::unit_called(unit);
   if (!known) raise(gouge::make_error("usage", "unit '" + unit + "': expected um, mm, cm, m or inch", file));
-  gouge::LoadedMesh loaded = value_or_raise(gouge::load_mesh(file, {*known, {}}));
+  gouge::FileView view = value_or_raise(gouge::view_file(file, gouge::kMaxInputBytes));
+  gouge::InputFile described = gouge::describe_input("", file, view.bytes);
+  gouge::LoadedMesh loaded = value_or_raise(gouge::load_mesh_view(std::move(view), file, {*known, {}}));
   require_mesh_reach(loaded.mesh);
   auto content = std::make_shared<Content>(std::move(loaded.mesh));
   content->findings = std::move(loaded.findings);
   content->notes = std::move(loaded.notes);
-  content->file = file;
+  content->file = std::move(described);
+  content->unit = *known;
   content->has_unknown_unit = unit.empty();
   return Mesh(std::move(content));
 }
@@ -89,7 +94,7 @@ Mesh Mesh::read_stl(const std::string& file, const std::string& unit) {
 Mesh MeshAccess::in(const Mesh& mesh, gouge::LengthUnit unit) {
   const Mesh::Content& content = mesh.content();
   if (!content.has_unknown_unit || unit == gouge::LengthUnit::mm) return mesh;
-  std::call_once(content.inch_once, [&] { content.in_inches = scaled(content, gouge::mm_per(unit)); });
+  std::call_once(content.inch_once, [&] { content.in_inches = read_in(unit, content); });
   return Mesh(content.in_inches);
 }
 

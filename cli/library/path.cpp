@@ -132,18 +132,23 @@ Path PathAccess::from_bytes(const std::string& name, std::string bytes, const go
   return from(std::move(*outcome.toolpath), false);
 }
 
-Path PathAccess::of_machine(const Path& path, std::string machine, std::string joint_rapid_law) {
+Path PathAccess::with_program(const Path& path, ProgramOrigin origin) {
   auto content = std::make_shared<Path::Content>(path.content());
-  content->machine = std::move(machine);
-  content->joint_rapid_law = std::move(joint_rapid_law);
+  content->program = std::move(origin);
+  return Path(std::move(content));
+}
+
+Path PathAccess::rewritten(gouge::Toolpath path) {
+  auto content = std::make_shared<Path::Content>(from(std::move(path), false).content());
+  content->is_rewritten = true;
   return Path(std::move(content));
 }
 
 Path PathAccess::with_origin_of(const Path& path, gouge::Toolpath other) {
   const Path::Content& origin = path.content();
   auto content = std::make_shared<Path::Content>(from(std::move(other), origin.is_from_memory).content());
-  content->machine = origin.machine;
-  content->joint_rapid_law = origin.joint_rapid_law;
+  content->is_rewritten = origin.is_rewritten;
+  content->program = origin.program;
   content->facts = origin.facts;
   return Path(std::move(content));
 }

@@ -110,11 +110,36 @@ class StockMaker {
     std::string names;
     for (const Mesh& mesh : stock_.meshes) names += (names.empty() ? "" : ", ") + mesh.name();
     made_->options.push_back({"stock", names.empty() ? stock_.shape : names});
-    for (const EarlierProgram& program : stock_.before)
-      made_->options.push_back(
-          {"before", program.path.name() + (program.place.empty() ? "" : ",place=" + program.place)});
+    for (const Mesh& mesh : made_->meshes) add_input("stock", mesh.content().file);
+    for (const EarlierProgram& program : stock_.before) record(program);
     made_->options.push_back({"stock-tolerance", gouge::exact_text(made_->setup->options.tolerance_mm) + "mm"});
     made_->options.push_back({"stock-resolution", gouge::exact_text(made_->setup->options.resolution_mm) + "mm"});
+  }
+
+  void record(const EarlierProgram& program) {
+    const Path::Content& path = program.path.content();
+    if (!path.is_from_memory && !path.is_rewritten)
+      made_->inputs.push_back(gouge::describe_input("before", path.path.file, path.path.source));
+    const auto* const library = std::get_if<ToolLibrary>(&program.tools);
+    const bool is_file = library != nullptr && !library->content().files.empty() && !library->content().is_by_facts;
+    std::string tools = "memory";
+    if (is_file) {
+      for (gouge::InputFile file : library->content().files) {
+        if (file.role == "tools") {
+          file.role = "before-tools";
+          tools = file.name;
+        }
+        made_->inputs.push_back(std::move(file));
+      }
+    }
+    made_->options.push_back(
+        {"before", program.path.name() + ",tools=" + tools + (program.place.empty() ? "" : ",place=" + program.place)});
+  }
+
+  void add_input(const char* role, gouge::InputFile file) {
+    if (file.name.empty()) return;
+    file.role = role;
+    made_->inputs.push_back(std::move(file));
   }
 
   const Stock& stock_;

@@ -22,7 +22,8 @@ struct PathStock {
   std::optional<gouge::StockSetup> setup;
   gouge::Assumptions facts;
   gouge::Diagnostics notes;
-  std::vector<gouge::OptionText> options;  // as the program records them
+  std::vector<gouge::OptionText> options;  // as the command records them
+  std::vector<gouge::InputFile> inputs;    // files of the stock, in the order in which the command reads them
 };
 
 /// Makes the stock that the options state; null: none. `parts` are in the unit of the path, and must outlive it.

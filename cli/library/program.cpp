@@ -20,7 +20,33 @@ gouge::StatedMachine stated_machine(const ProgramOptions& options) {
   return stated;
 }
 
-gouge::ProgramSetup understood(const ProgramOptions& options) {
+/// Returns the options as the command records them.
+std::vector<gouge::OptionText> recorded(const ProgramOptions& options) {
+  std::vector<gouge::OptionText> all;
+  const auto add = [&](const char* key, const std::string& text) {
+    if (!text.empty()) all.push_back({key, text});
+  };
+  const auto add_all = [&](const char* key, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) add(key, text);
+  };
+  add("toolpath-units", options.unit);
+  add_all("harmless-word", options.harmless_words);
+  add("control", options.control);
+  add_all("offset", options.offsets);
+  add("tool-lengths", options.tool_lengths);
+  add_all("start", options.start);
+  add_all("tip-control-end", options.tip_control_ends);
+  add("block-delete", options.block_delete);
+  add("home", options.home);
+  add("plain-numbers", options.plain_numbers);
+  add("tip-frame", options.tip_frame);
+  add("rotary-turns", options.rotary_turns);
+  add("joint-rapid-law", options.joint_rapid_law);
+  return all;
+}
+
+/// Returns the set-up, and adds the files that it reads to `files`.
+gouge::ProgramSetup understood(const ProgramOptions& options, std::vector<gouge::InputFile>& files) {
   gouge::StatedProgram stated;
   stated.control = options.control;
   stated.offsets = options.offsets;
@@ -35,6 +61,7 @@ gouge::ProgramSetup understood(const ProgramOptions& options) {
       stated, {"offsets", "home", "block_delete", "plain_numbers", "rotary_turns", "tip_frame"}));
   if (options.tool_lengths.empty()) return setup;
   const std::string bytes = value_or_raise(gouge::read_file(options.tool_lengths));
+  files.push_back(gouge::describe_input("tool-lengths", options.tool_lengths, bytes));
   setup.lengths_mm = value_or_raise(gouge::parse_tool_lengths(options.tool_lengths, bytes));
   return setup;
 }
@@ -48,16 +75,22 @@ Path Path::read_program(const std::string& file, const ProgramOptions& options) 
   reading.unit = gouge::unit_called(options.unit);
   if (!options.unit.empty() && !reading.unit)
     raise(gouge::make_error("usage", "unit '" + options.unit + "': expected mm or inch", file));
-  auto setup = std::make_shared<const gouge::ProgramSetup>(understood(options));
+  std::vector<gouge::InputFile> lengths, files;
+  auto setup = std::make_shared<const gouge::ProgramSetup>(understood(options, lengths));
   const gouge::StatedMachine stated = stated_machine(options);
   if (!stated.machine.empty()) {
     std::string bytes;
     const gouge::Machine machine = value_or_raise(gouge::load_machine(stated, gouge::kMaxInputBytes, bytes));
     setup = gouge::with_machine(setup, machine, stated, std::nullopt, std::nullopt, std::nullopt);
   }
-  reading.program = gouge::with_files_beside(setup, file, gouge::kMaxInputBytes, {});
+  reading.program = gouge::with_files_beside(setup, file, gouge::kMaxInputBytes,
+                                             [&files](const std::string& beside, const std::string& bytes) {
+                                               files.push_back(gouge::describe_input("program-beside", beside, bytes));
+                                             });
   const Path path = PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), reading);
-  return PathAccess::of_machine(path, machine_key(stated), options.joint_rapid_law);
+  files.insert(files.end(), lengths.begin(), lengths.end());
+  return PathAccess::with_program(path,
+                                  {machine_key(stated), options.joint_rapid_law, recorded(options), std::move(files)});
 }
 
 }  // namespace gougecheck

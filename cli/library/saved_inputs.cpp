@@ -25,6 +25,10 @@ gouge::MeshSpot spot_in(const Fields& fields) {
   return {fields.at(0), gouge::Vec3(number(1), number(2), number(3)), fields.at(4)};
 }
 
+Fields fields_of(const gouge::InputFile& file) { return {file.role, file.name, file.bytes, file.checksum}; }
+
+gouge::InputFile file_in(const Fields& fields) { return {fields.at(0), fields.at(1), fields.at(2), fields.at(3)}; }
+
 gouge::IndexedMesh mesh_in(const Fields& fields) {
   gouge::IndexedMesh mesh;
   mesh.name = fields.at("name");
@@ -63,7 +67,8 @@ std::string Mesh::to_bytes() const {
                           {"vertices", packed_rows(vertices())},
                           {"faces", packed_rows(faces())},
                           {"given_face", packed_rows(given_face())},
-                          {"file", content_->file},
+                          {"file", fields_of(content_->file)},
+                          {"unit", static_cast<int>(content_->unit)},
                           {"has_unknown_unit", content_->has_unknown_unit},
                           {"notes", gougecheck::fields_of(content_->notes)},
                           {"may_be_cut_off", findings.may_be_cut_off},
@@ -81,7 +86,8 @@ Mesh Mesh::from_bytes(std::string_view bytes) {
     content->findings.collinear_triangles = spot_in(fields.at("collinear"));
     content->findings.opposite_normals = spot_in(fields.at("opposite_normals"));
     content->notes = diagnostics_in(fields.at("notes"));
-    content->file = fields.at("file");
+    content->file = file_in(fields.at("file"));
+    content->unit = static_cast<gouge::LengthUnit>(fields.at("unit").get<int>());
     content->has_unknown_unit = fields.at("has_unknown_unit");
     return Mesh(std::move(content));
   });
@@ -107,9 +113,12 @@ Path Path::from_bytes(std::string_view bytes) { return unpacked(kPathKind, bytes
 
 std::string ToolLibrary::to_bytes() const {
   const gouge::ToolLibrary& library = content_->library;
+  Fields files = Fields::array();
+  for (const gouge::InputFile& file : content_->files) files.push_back(fields_of(file));
   return pack(kLibraryKind, {{"name", library.file},
                              {"json", to_json()},
-                             {"file", content_->file},
+                             {"files", std::move(files)},
+                             {"is_by_facts", content_->is_by_facts},
                              {"notes", gougecheck::fields_of(library.notes)},
                              {"shared_numbers", library.shared_numbers}});
 }
@@ -117,7 +126,8 @@ std::string ToolLibrary::to_bytes() const {
 ToolLibrary ToolLibrary::from_bytes(std::string_view bytes) {
   return unpacked(kLibraryKind, bytes, [](const Fields& fields) {
     Content content = from_json(fields.at("json").get<std::string>(), fields.at("name")).content();
-    content.file = fields.at("file");
+    for (const Fields& file : fields.at("files")) content.files.push_back(file_in(file));
+    content.is_by_facts = fields.at("is_by_facts");
     content.library.notes = diagnostics_in(fields.at("notes"));
     content.library.shared_numbers = fields.at("shared_numbers").get<std::vector<int>>();
     return ToolLibrary(std::make_shared<const Content>(std::move(content)));

@@ -112,11 +112,15 @@ ToolLibrary ToolLibrary::read(const std::string& file, const ImportFacts& facts)
   const std::string bytes = value_or_raise(gouge::read_file(file));
   const gouge::ImportOptions options = import_options(facts, file, bytes);
   gouge::ReadTools read = value_or_raise(gouge::read_any_tools(file, bytes, gouge::kMaxInputBytes, options));
-  return ToolLibrary(std::make_shared<Content>(Content{std::move(read.library), file}));
+  std::vector<gouge::InputFile> files = {gouge::describe_input("tools", file, bytes)};
+  for (const gouge::BesideFile& beside : read.besides)
+    files.push_back(gouge::describe_input("named-by-tools", beside.path, beside.bytes));
+  const bool is_by_facts = facts.stickout || !facts.unit.empty();
+  return ToolLibrary(std::make_shared<Content>(Content{std::move(read.library), std::move(files), is_by_facts}));
 }
 
 ToolLibrary ToolLibrary::from_json(std::string_view json, const std::string& name) {
-  return ToolLibrary(std::make_shared<Content>(Content{value_or_raise(gouge::read_tool_library(name, json)), {}}));
+  return ToolLibrary(std::make_shared<Content>(Content{value_or_raise(gouge::read_tool_library(name, json))}));
 }
 
 ToolLibrary::ToolLibrary(const std::vector<Tool>& tools) {

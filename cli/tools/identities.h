@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "lib/base/units.h"
+#include "lib/geom/pose.h"
+#include "postproc/report/report_model.h"
+#include "toolmodels/assembly.h"
+
+// What makes two set-ups the same, as short texts that results hold. Acceptances and comparisons look for them.
+
+namespace gouge {
+
+/// Returns 32 hexadecimal digits that are equal for equal units and equal places of the STL files, in any notation.
+[[nodiscard]] std::string placement_identity(const RigidTransform& place, LengthUnit stl_unit);
+
+/// Sets ToolFacts::identity and ::bodies of a tool from its dimensions, independent of its name and number. With
+/// `is_extended_up` its top body has no end.
+void identify_tool(const ToolAssembly& tool, bool is_extended_up, ToolFacts& facts);
+
+}  // namespace gouge
