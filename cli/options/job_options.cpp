@@ -84,9 +84,10 @@ OptionRows<JobArguments> input_rows() {
       {.name = "--tool",
        .field = &A::tool_names,
        .type = "N=NAME",
-       .help = "Assignment of tools (repeatable). N=NAME: tool number N of the toolpath is the tool NAME of the "
-               "library, a name or a number. NAME alone: the tool of all moves for which the toolpath names no "
-               "tool",
+       .help =
+           "Assignment of tools (repeatable). N=NAME: the tool N of the toolpath is the tool NAME of the library, each a "
+           "number or a name. NAME alone: the tool of all moves for which the toolpath names no "
+           "tool",
        .scope = Scope::project,
        .recorded = Recorded::repeated},
       {.name = "--holder",

@@ -61,11 +61,11 @@ class Resolver {
   std::optional<Diagnostic> take_name(const std::string& text) {
     const std::size_t equals = text.find('=');
     const bool is_for_unnamed = equals == std::string::npos;
-    const auto number = tool_number(std::string_view(text).substr(0, equals));
-    if (!number && !is_for_unnamed) {
-      return usage("--tool '" + text +
-                   "': expected N=NAME, N a tool number of the toolpath and NAME a name or number of the library, or "
-                   "NAME alone");
+    if (equals == 0) {
+      return usage(
+          "--tool '" + text +
+          "': expected N=NAME, N a tool of the toolpath by number or name and NAME one of the library, or NAME "
+          "alone");
     }
     if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
     const ToolAssembly* tool = library_->called(is_for_unnamed ? text : text.substr(equals + 1));
@@ -75,9 +75,8 @@ class Resolver {
     }
     if (is_for_unnamed) {
       unnamed_ = {text, tool};
-    } else if (!named_.emplace(*number, tool).second) {
-      return usage("--tool '" + text + "': tool " + std::to_string(*number) +
-                   " of the toolpath has one already; expected each number once");
+    } else if (const std::string key = key_of(text.substr(0, equals)); !named_.emplace(key, tool).second) {
+      return usage("--tool '" + text + "': tool " + key + " of the toolpath has one already; expected each tool once");
     }
     return std::nullopt;
   }
@@ -169,23 +168,37 @@ class Resolver {
     result_.assumptions.push_back(std::move(of_holder));
   }
 
-  // Adds a contradicted assumption if --tool names only numbers that the path does not load. After a mistyped number
-  // the intended tool would come from elsewhere.
+  // Adds a contradicted assumption if no move has a tool that --tool names, or if no move is without a tool and one is
+  // given for such moves. The tool that the user means would come from elsewhere.
   void assume_names(const std::vector<bool>& is_used) {
-    std::vector<std::string> loaded, named;
+    std::vector<std::string> loaded;
+    bool is_any_named = named_.empty(), is_any_unnamed = unnamed_.second == nullptr;
     for (std::size_t i = 0; i < path_.tools.size(); ++i) {
-      const auto& number = path_.tools[i].number;
-      if (!number || !is_used[i]) continue;
-      if (named_.contains(*number)) return;
-      loaded.push_back("T" + std::to_string(*number));
+      if (!is_used[i]) continue;
+      const PathTool& tool = path_.tools[i];
+      is_any_named = is_any_named || named_for(tool) != nullptr;
+      is_any_unnamed = is_any_unnamed || (!tool.number && tool.name == unnamed_.first);
+      loaded.push_back(tool.number ? "T" + std::to_string(*tool.number) : tool.name);
     }
-    if (named_.empty() || loaded.empty()) return;
-    for (const auto& entry : named_) named.push_back("T" + std::to_string(entry.first));
-    Assumption fact{.subject = Subject::tool, .object = listed(named), .basis = Basis::contradicted, .value = "unused"};
+    if (loaded.empty()) return;
+    const std::string of_path = ", and the toolpath loads " + listed(loaded, " and ");
+    if (!is_any_named) {
+      std::vector<std::string> named;
+      for (const auto& entry : named_) named.push_back(entry.first);
+      assume_unused(listed(named), "--tool names " + listed(named, " and ") + of_path,
+                    "name a tool that it loads, or leave --tool out");
+    }
+    if (!is_any_unnamed)
+      assume_unused(unnamed_.first, "--tool " + unnamed_.first + " is for moves that name no tool" + of_path,
+                    "write --tool " + loaded.front() + "=" + unnamed_.first + ", or leave --tool out");
+  }
+
+  void assume_unused(const std::string& object, const std::string& evidence, const std::string& remedy) {
+    Assumption fact{.subject = Subject::tool, .object = object, .basis = Basis::contradicted, .value = "unused"};
     fact.code = "tool-not-loaded";
     fact.file = path_.file;
-    fact.evidence = "--tool names " + listed(named, " and ") + ", and the toolpath loads " + listed(loaded, " and ");
-    fact.remedy = "name a tool that it loads, or leave --tool out";
+    fact.evidence = evidence;
+    fact.remedy = remedy;
     result_.assumptions.push_back(std::move(fact));
   }
 
@@ -330,15 +343,32 @@ class Resolver {
 
   [[nodiscard]] bool is_named(const PathTool& tool) const {
     if (every_ != nullptr) return true;
-    if (tool.number) return named_.contains(*tool.number);
-    return !tool.name.empty() && tool.name == unnamed_.first;
+    if (named_for(tool) != nullptr) return true;
+    return !tool.number && !tool.name.empty() && tool.name == unnamed_.first;
+  }
+
+  /// Returns how --tool names a tool of the path: "T7" for any form of a number.
+  [[nodiscard]] static std::string key_of(const std::string& text) {
+    const std::optional<int> number = tool_number(text);
+    return number ? "T" + std::to_string(*number) : text;
+  }
+
+  /// Returns the tool that --tool gives for a tool of the path, by its number or else by its name; null: none.
+  [[nodiscard]] const ToolAssembly* named_for(const PathTool& tool) const {
+    const auto find = [&](const std::string& key) {
+      const auto found = named_.find(key);
+      return found == named_.end() ? nullptr : found->second;
+    };
+    const ToolAssembly* const by_number = tool.number ? find("T" + std::to_string(*tool.number)) : nullptr;
+    // A number that --tool names is meant as a number if the tool has one.
+    const bool may_have_name = !tool.name.empty() && !(tool.number && tool_number(tool.name));
+    return by_number == nullptr && may_have_name ? find(key_of(tool.name)) : by_number;
   }
 
   [[nodiscard]] const ToolAssembly* in_library(const PathTool& tool) const {
     if (library_ == nullptr) return nullptr;
     if (every_ != nullptr) return every_;
-    const auto named = tool.number ? named_.find(*tool.number) : named_.end();
-    if (named != named_.end()) return named->second;
+    if (const ToolAssembly* const named = named_for(tool)) return named;
     const ToolAssembly* by_number = tool.number ? library_->with_number(*tool.number) : nullptr;
     if (by_number != nullptr) return by_number;
     if (!tool.number && !tool.name.empty() && tool.name == unnamed_.first) return unnamed_.second;
@@ -347,7 +377,7 @@ class Resolver {
 
   const Toolpath& path_;
   const ToolLibrary* library_;
-  std::map<int, const ToolAssembly*> named_;
+  std::map<std::string, const ToolAssembly*> named_;     // by key_of
   std::pair<std::string, const ToolAssembly*> unnamed_;  // the name of the tool for moves without one, and that tool
   const ToolAssembly* every_ = nullptr;  // the tool in place of all tools of the path; null: each has its own
   std::vector<ToolSegment> holder_;

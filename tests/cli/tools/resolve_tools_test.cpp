@@ -155,6 +155,43 @@ TEST(ResolveTools, AToolNameForNumbersThatThePathDoesNotLoadIsContradicted) {
   EXPECT_FALSE(contradicted({}));
 }
 
+TEST(ResolveTools, AToolForMovesWithoutOneIsContradictedWhereThereAreNone) {
+  const ToolLibrary library = library_with_holder();
+  const auto unused = [&](const std::string& text, const std::vector<std::string>& names) {
+    ReadOptions options;
+    options.unnamed_tool = names.front();
+    const ReadOutcome read = read_toolpath("t.apt", text, options);
+    EXPECT_TRUE(read.toolpath.has_value());
+    const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, names, "");
+    EXPECT_TRUE(resolved.has_value());
+    for (const Assumption& fact : resolved->assumptions)
+      if (fact.code == "tool-not-loaded" && fact.basis == Basis::contradicted) return fact.remedy;
+    return std::string();
+  };
+  EXPECT_EQ(unused("UNITS/MM\nCUTTER/10\nLOADTL/5\nGOTO/0,0,5\nFINI\n", {"2"}),
+            "write --tool T5=2, or leave --tool out");
+  EXPECT_EQ(unused("UNITS/MM\nGOTO/0,0,5\nFINI\n", {"2"}), "");
+}
+
+TEST(ResolveTools, AToolOfThePathIsNamedByItsNumberOrItsName) {
+  const ToolLibrary library = library_with_holder();
+  const std::string named = "TOOL PATH/A,TOOL,FACE_MILL_1\nTLDATA/MILL,40,1,50,0,0\nGOTO/0,0,5,0,0,1\nEND-OF-PATH\n";
+  const ReadOutcome read = read_toolpath("t.cls", named);
+  ASSERT_TRUE(read.toolpath.has_value());
+  const auto codes = [&](const std::string& name) {
+    const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, {name}, "");
+    EXPECT_TRUE(resolved.has_value()) << name;
+    std::string all = resolved->facts.front().defined_in == library.file ? "library " : "path ";
+    for (const Assumption& fact : resolved->assumptions)
+      if (fact.code == "tool-not-loaded") all += fact.evidence;
+    return all;
+  };
+  EXPECT_EQ(codes("FACE_MILL_1=2"), "library ");
+  EXPECT_EQ(codes("1=2"), "path --tool names T1, and the toolpath loads FACE_MILL_1");
+  EXPECT_EQ(codes("FACE_MILL=2"), "path --tool names FACE_MILL, and the toolpath loads FACE_MILL_1");
+  EXPECT_FALSE(resolve_tools(*read.toolpath, &library, {"=2"}, "").has_value());
+}
+
 /// The fact of T1 of `text` with `library`, which may be null.
 Assumption fact_of_tool(const std::string& text, const ToolLibrary* library,
                         const std::vector<std::string>& names = {}) {
@@ -238,10 +275,9 @@ TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   const Result<ResolvedTools> missing = resolve_tools(path, &library, {"T3"}, "");
   ASSERT_FALSE(missing.has_value());
   EXPECT_EQ(missing.error().message, "--tool 'T3': the library has no tool of that name or number; it has T2");
-  EXPECT_FALSE(resolve_tools(path, &library, {"x=2"}, "").has_value());
   const Result<ResolvedTools> twice = resolve_tools(path, &library, {"7=2", "T7=2"}, "");
   ASSERT_FALSE(twice.has_value());
-  EXPECT_EQ(twice.error().message, "--tool 'T7=2': tool 7 of the toolpath has one already; expected each number once");
+  EXPECT_EQ(twice.error().message, "--tool 'T7=2': tool T7 of the toolpath has one already; expected each tool once");
 }
 
 TEST(ResolveTools, AnUnknownHolderIsReportedWithTheHoldersThereAre) {
