@@ -13,6 +13,7 @@ namespace gouge {
 namespace {
 
 constexpr double kTouch_mm = 0.01;
+constexpr double kNear_mm = 2;  // as far as a roughing cutter may stay from the part
 
 double reach_of_tools_mm(const std::vector<const ToolVariants*>& tools) {
   double reach_mm = 0;
@@ -45,9 +46,19 @@ Assumption mesh_unit_fact(const Toolpath& path, const CheckSetup& setup, const C
 }
 
 std::optional<std::string> find_misplacement(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
-  if (auto gap = find_gap(path, *setup.scene.scene, reach_of_tools_mm(setup.tools))) return gap;
+  if (auto gap = find_gap(path, *setup.scene.scene, setup.scene.workpiece_tree(), reach_of_tools_mm(setup.tools)))
+    return gap;
   if (!result.closest_approach) return std::nullopt;
   return find_apart(*result.closest_approach);
+}
+
+/// Returns whether a cutter would come near the part if it were `times` as large.
+bool would_touch(const Toolpath& path, const CheckSetup& setup, double times) {
+  double radius_mm = 0;
+  for (const ToolVariants* tool : setup.tools)
+    if (tool != nullptr) radius_mm = std::max(radius_mm, tool->bare.r_max_mm);
+  const std::optional<double> nearest_mm = nearest_tip_mm(path, setup.scene.workpiece_tree(), times);
+  return nearest_mm && *nearest_mm <= radius_mm + kNear_mm;
 }
 
 Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
@@ -63,7 +74,9 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
     const Scene& scene = *setup.scene.scene;
     const LengthUnit unit = unit_of_meshes(path, setup.basis);
     const bool is_told = !setup.basis.mesh_unit && find_other_size(path, scene, result.verdicts, unit);
-    const auto size = is_told ? std::nullopt : explain_by_unit(path, scene, unit, !setup.basis.place.empty());
+    const bool is_moved = !setup.basis.place.empty();
+    const auto fits = [&](double times) { return is_moved || would_touch(path, setup, times); };
+    const auto size = is_told ? std::nullopt : explain_by_unit(path, scene, unit, is_moved, fits);
     if (size) fact.evidence += "; " + *size;
   } else if (auto misfit = describe_misfit(path, result.fit)) {
     fact.basis = Basis::contradicted;

@@ -1,18 +1,27 @@
 #include "lib/certify/placement.h"
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/check/scene_reach.h"
+#include "lib/hierarchy/closest_triangle.h"
 
 namespace gouge {
 namespace {
 
+using SizeTest = std::function<bool(double times)>;
+
+bool any_size(double) { return true; }
+
 // Returns a text about units with which the part would be about as large as the path; empty if there is no such unit.
-std::string unit_hint(double times_smaller, LengthUnit unit) {
+std::string unit_hint(double times_smaller, LengthUnit unit, const SizeTest& fits) {
   std::string words;
-  for (const UnitFacts* fitting : units_that_fit(times_smaller, unit))
+  std::vector<const UnitFacts*> units = units_that_fit(times_smaller, unit);
+  std::erase_if(units, [&](const UnitFacts* other) { return !fits(other->mm / mm_per(unit)); });
+  for (const UnitFacts* fitting : units)
     words += (words.empty() ? "" : " or ") + std::string("--stl-units ") + std::string(fitting->option);
   return words.empty() ? words : "; with " + words + " it would be about as large as the path";
 }
@@ -51,9 +60,26 @@ CutCount count_cuts(const Toolpath& path, const MoveVerdicts& verdicts) {
 
 }  // namespace
 
-std::optional<std::string> find_gap(const Toolpath& path, const Scene& scene, double tool_mm) {
+std::optional<double> nearest_tip_mm(const Toolpath& path, const BlockTree& part, double times) {
+  constexpr std::size_t kPositions = 450;
+  std::vector<Vec3> tips;
+  for (const Move& move : path.moves)
+    if (move.kind != MoveKind::rapid) tips.push_back(move.end.tip);
+  const std::size_t step = tips.size() / kPositions + 1;
+  std::optional<double> nearest_mm;
+  for (std::size_t i = 0; i < tips.size(); i += step) {
+    const double within_mm = nearest_mm.value_or(std::numeric_limits<double>::infinity()) / times;
+    const auto found = closest_triangle(part, tips[i] / times, within_mm);
+    if (found) nearest_mm = std::sqrt(found->foot.distance2_mm2) * times;
+  }
+  return nearest_mm;
+}
+
+std::optional<std::string> find_gap(const Toolpath& path, const Scene& scene, const BlockTree& part, double tool_mm) {
   const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
   if (!parts || parts->gap_mm <= tool_mm) return std::nullopt;
+  if (const std::optional<double> tip_mm = nearest_tip_mm(path, part))
+    return "no move reaches the part, from which the tip stays " + fixed_text(*tip_mm, 0) + " mm away where it cuts";
   return "no move comes nearer than " + fixed_text(parts->gap_mm - tool_mm, 0) + " mm to the part";
 }
 
@@ -61,7 +87,7 @@ std::optional<std::string> find_other_size(const Toolpath& path, const Scene& sc
                                            LengthUnit unit) {
   const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
   if (!parts) return std::nullopt;
-  const std::string hint = unit_hint(parts->times_smaller, unit);
+  const std::string hint = unit_hint(parts->times_smaller, unit, any_size);
   if (parts->is_far_smaller())
     return "the part is " + display_text(parts->times_smaller, 0) + " times smaller than the path" + hint;
   if (!parts->is_far_larger() || hint.empty()) return std::nullopt;
@@ -71,13 +97,15 @@ std::optional<std::string> find_other_size(const Toolpath& path, const Scene& sc
          std::to_string(count.deep) + " of " + std::to_string(count.cuts) + " cuts are in it" + hint;
 }
 
-std::optional<std::string> explain_by_unit(const Toolpath& path, const Scene& scene, LengthUnit unit, bool is_moved) {
+std::optional<std::string> explain_by_unit(const Toolpath& path, const Scene& scene, LengthUnit unit, bool is_moved,
+                                           const SizeTest& fits) {
   const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
   if (!parts) return std::nullopt;
-  const std::string hint = unit_hint(parts->times_smaller, unit);
+  const std::string hint = unit_hint(parts->times_smaller, unit, fits);
   const bool is_smaller = parts->is_far_smaller();
   if (!is_smaller && (hint.empty() || !parts->is_far_larger())) {
-    const auto units = is_moved ? std::vector<const UnitFacts*>() : units_in_place(path, scene, unit);
+    auto units = is_moved ? std::vector<const UnitFacts*>() : units_in_place(path, scene, unit);
+    std::erase_if(units, [&](const UnitFacts* other) { return !fits(other->mm / mm_per(unit)); });
     if (units.size() != 1) return std::nullopt;
     return "with --stl-units " + std::string(units.front()->option) + " the path would lie in the part";
   }

@@ -71,11 +71,15 @@ TEST(Assess, AFarSmallerPartContradictsTheUnitOfItsFileUnlessItIsStated) {
 }
 
 TEST(Assess, AFarLargerPartThatThePathDoesNotReachNamesTheUnitThatWouldFit) {
-  const Scene large{{shapes::box({500, 500, -20}, {500 + 25.4 * 100, 900, 0})}, {}};
-  const Assumption placement = fact_of(result_of(cuts(0), large, {.mesh_unit = LengthUnit::inch}), Subject::placement);
-  EXPECT_EQ(placement.basis, Basis::contradicted);
-  EXPECT_NE(placement.evidence.find(" times larger than the path; with --stl-units mm it would be"), std::string::npos)
-      << placement.evidence;
+  const auto evidence_at = [](double low, double top) {
+    const Scene large{{shapes::box({low, low, top - 20}, {low + 25.4 * 100, 900, top})}, {}};
+    const Assumption fact = fact_of(result_of(cuts(0), large, {.mesh_unit = LengthUnit::inch}), Subject::placement);
+    EXPECT_EQ(fact.basis, Basis::contradicted);
+    return fact.evidence;
+  };
+  const std::string fitting = evidence_at(150, 0), elsewhere = evidence_at(150, -2000);
+  EXPECT_NE(fitting.find(" times larger than the path; with --stl-units mm it would be"), std::string::npos) << fitting;
+  EXPECT_TRUE(elsewhere.ends_with(" times larger than the path")) << "also in mm it is not there: " << elsewhere;
 }
 
 TEST(Assess, ThePartWithinWhichAPathWouldLieWithAnotherUnitIsNamed) {

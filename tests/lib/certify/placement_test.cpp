@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/check/prepared_scene.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 
@@ -14,11 +15,16 @@ Toolpath wide_path() {
 
 TEST(Placement, AGapIsFoundOnlyBeyondTheReachOfTheTool) {
   const Toolpath path = wide_path();
-  const auto gap = [&](const IndexedMesh& part) { return find_gap(path, {{part}, {}}, 60).value_or(""); };
+  const auto gap = [&](const IndexedMesh& part) {
+    const Scene scene{{part}, {}};
+    return find_gap(path, scene, PreparedScene(scene).workpiece_tree(), 60).value_or("");
+  };
   EXPECT_EQ(gap(shapes::box({0, 0, -20}, {120, 100, 0})), "");
   EXPECT_EQ(gap(shapes::box({150, 0, -20}, {270, 100, 0})), "") << "beside it, within the tool's reach";
-  EXPECT_EQ(gap(shapes::box({1160, 0, -20}, {1270, 100, 0})), "no move comes nearer than 1000 mm to the part");
-  EXPECT_FALSE(find_gap(path, {}, 60));
+  EXPECT_EQ(gap(shapes::box({1160, 0, -20}, {1270, 100, 0})),
+            "no move reaches the part, from which the tip stays 1060 mm away where it cuts");
+  const Scene nothing;
+  EXPECT_FALSE(find_gap(path, nothing, PreparedScene(nothing).workpiece_tree(), 60));
 }
 
 TEST(Placement, CutsThatStayAwayFromThePartAreFoundFromTenPositionsOn) {
