@@ -79,7 +79,7 @@ TEST(Assess, AFarLargerPartThatThePathDoesNotReachNamesTheUnitThatWouldFit) {
   };
   const std::string fitting = evidence_at(150, 0), elsewhere = evidence_at(150, -2000);
   EXPECT_NE(fitting.find(" times larger than the path; with --stl-units mm it would be"), std::string::npos) << fitting;
-  EXPECT_TRUE(elsewhere.ends_with(" times larger than the path")) << "also in mm it is not there: " << elsewhere;
+  EXPECT_EQ(elsewhere.find("--stl-units"), std::string::npos) << "also in mm it is not there: " << elsewhere;
 }
 
 TEST(Assess, ThePartWithinWhichAPathWouldLieWithAnotherUnitIsNamed) {
