@@ -210,6 +210,17 @@ std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments) {
   return find_wrong_stock(arguments.job);
 }
 
+namespace {
+
+/// Returns whether a file is a program of a machine's control. Such a program needs facts to be read, and they would be
+/// asked for in vain. A file that cannot be read is none; standard input can be read only once.
+bool is_program(const std::string& file, const ReadOptions& reading, std::uint64_t max_bytes) {
+  const Result<FileView> view = file == "-" ? Result<FileView>(FileView{}) : view_file(file, max_bytes);
+  return view && dialect_of(view->bytes, reading).id == gcode_dialect().id;
+}
+
+}  // namespace
+
 int run_correct(const CorrectArguments& arguments, const JobContext& context) {
   Result<JobOptions> options = understand(arguments.job);
   Result<CorrectOptions> correct = understand_correction(arguments);
@@ -219,15 +230,15 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
   if (const auto wrong = find_wrong_stock(arguments.job)) return fail(context.err, {*wrong});
   options->reading.keeps_origins = true;
   JobPipeline run(arguments.job, *options, arguments.output, context);
+  const Diagnostic refused =
+      make_error("write-gcode",
+                 "a program of a machine's control is not corrected; correct the CL data it was made from, and run the "
+                 "post-processor again",
+                 arguments.job.path);
+  if (is_program(arguments.job.path, options->reading, arguments.job.input.max_bytes))
+    return run.fail_with(refused, kExitInput);
   if (const auto status = run.load()) return *status;
-  if (run.job().toolpath.dialect == gcode_dialect().id)
-    return run.fail_with(
-        make_error(
-            "write-gcode",
-            "a program of a machine's control is not corrected; correct the CL data it was made from, and run the "
-            "post-processor again",
-            run.job().toolpath.file),
-        kExitInput);
+  if (run.job().toolpath.dialect == gcode_dialect().id) return run.fail_with(refused, kExitInput);
   if (!arguments.job.stock.empty()) {
     if (const auto status = run.load_stock(correct->rapid_clearance_mm)) return *status;
   }

@@ -22,6 +22,7 @@
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/mesh/chord_error.h"
 #include "postproc/formats/read_toolpath.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/assembly.h"
@@ -341,6 +342,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
     model.notes.push_back(make_note(kProjectFile, arguments.project_file->summary, arguments.project_file->input.name));
   const Diagnostics open = open_warnings(result.assumptions);
   model.notes.insert(model.notes.end(), open.begin(), open.end());
+  std::ranges::move(describe_unused(basis.vouched, result.assumptions, path.file), std::back_inserter(model.notes));
   model.notes.insert(model.notes.end(), parts.notes.begin(), parts.notes.end());
   std::ranges::move(parts.more_options, std::back_inserter(model.more_options));
   model.has_correction = parts.correction.has_value();

@@ -1,6 +1,7 @@
 #include "cli/job/setup_notes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -10,6 +11,8 @@
 #include "lib/correct/laws.h"
 #include "lib/path/axis_quality.h"
 #include "lib/path/axis_tilt.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/compile_tool.h"
 
@@ -38,6 +41,26 @@ double cutter_radius_mm(const ToolAssembly& tool) {
   return radius_mm;
 }
 
+/// Returns a note about options that say nothing about this toolpath.
+Diagnostics describe_unused_options(const Job& job, const JobArguments& arguments) {
+  const bool is_program = job.toolpath.dialect == gcode_dialect().id;
+  std::vector<std::string> unused = options_without_effect(arguments.reading, is_program);
+  Diagnostics notes;
+  const auto add = [&](const std::string& why) {
+    notes.push_back(make_note(kOptionUnused,
+                              listed(unused, " and ") + (unused.size() == 1 ? " has" : " have") + " no effect: " + why,
+                              arguments.path));
+  };
+  if (!unused.empty()) add(is_program ? "the toolpath is a program of a control" : "the toolpath is CL data");
+  unused.clear();
+  if (!is_program && !job.machine) {
+    if (!arguments.tool_length.empty()) unused.emplace_back("--tool-length");
+    if (!arguments.joint_rapid_law.empty()) unused.emplace_back("--joint-rapid-law");
+  }
+  if (!unused.empty()) add("no --machine is given");
+  return notes;
+}
+
 /// Returns the warning about a tolerance that hides gouges as deep as a cutter is wide.
 Diagnostics doubts_about_tolerance(const Job& job, const std::string& file) {
   const ToolAssembly* thinnest = nullptr;
@@ -61,6 +84,7 @@ Diagnostics doubts_about_tolerance(const Job& job, const std::string& file) {
 
 Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene) {
   Diagnostics notes = doubts_about_tolerance(job, arguments.path);
+  std::ranges::move(describe_unused_options(job, arguments), std::back_inserter(notes));
   std::vector<bool> is_allowed;
   for (const MeshFacts& fixture : job.files->fixtures) {
     const auto& allowed = arguments.allowed_overlaps;

@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "cli/library/checked_path.h"
 #include "cli/library/path_stock.h"
 #include "cli/tools/identities.h"
 #include "lib/base/number_text.h"
+#include "postproc/report/remedies.h"
 
 // What a result records of the inputs of a check, so that `gougecheck verify` can repeat it from their files.
 
@@ -114,6 +117,8 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
   if (stock != nullptr) model.notes.insert(model.notes.end(), stock->notes.begin(), stock->notes.end());
   const gouge::Diagnostics open = gouge::open_warnings(result.assumptions);
   model.notes.insert(model.notes.end(), open.begin(), open.end());
+  std::ranges::move(gouge::describe_unused(basis.vouched, result.assumptions, toolpath.file),
+                    std::back_inserter(model.notes));
   return model;
 }
 

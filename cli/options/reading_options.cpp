@@ -1,7 +1,10 @@
 #include "cli/options/reading_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
+#include <set>
+#include <string_view>
 
 #include "cli/options/command_doc.h"
 #include "cli/options/parse_errors.h"
@@ -136,6 +139,22 @@ const OptionRows<ReadingArguments>& reading_options() {
        .recorded = Recorded::repeated,
        .choices = {"as-programmed"}}};
   return rows;
+}
+
+std::vector<std::string> options_without_effect(const ReadingArguments& arguments, bool is_program) {
+  static const std::set<std::string> kOfClData = {"cutcom", "retract-plane"};
+  OptionRows<ReadingArguments> others;
+  bool is_of_programs = false;  // a row has the group of the one before
+  for (const OptionRow<ReadingArguments>& row : reading_options()) {
+    is_of_programs = is_of_programs || (row.group != nullptr && std::string_view(row.group) == kProgramGroup);
+    if (is_program ? kOfClData.contains(row.key()) : is_of_programs) others.push_back(row);
+  }
+  std::vector<std::string> names;
+  for (const OptionText& option : recorded_options(arguments, others)) {
+    const std::string name = "--" + option.name;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
 }
 
 Result<ReadOptions> understand(const ReadingArguments& arguments) {

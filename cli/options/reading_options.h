@@ -22,6 +22,10 @@ struct ReadingArguments : StatedProgram {
 
 [[nodiscard]] const OptionRows<ReadingArguments>& reading_options();
 
+/// Returns the given options, "--offset", that say nothing about the toolpath. These are the facts about programs for CL
+/// data, and for a program those about CL data.
+[[nodiscard]] std::vector<std::string> options_without_effect(const ReadingArguments& arguments, bool is_program);
+
 /// Errors (code usage): a retract plane that is not a length, or an unknown dialect. Also a harmless word that is not a
 /// word, or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);

@@ -10,6 +10,10 @@
 
 namespace gouge {
 
+/// Returns the dialect with which read_toolpath reads these bytes. That is the one of the options, else the one recognized
+/// by the content.
+[[nodiscard]] Dialect dialect_of(std::string_view bytes, const ReadOptions& options);
+
 /// Units    The file's unit becomes mm; the frame of each block (NX: MSYS) becomes part coordinates.
 /// Ensures  (1) Every GOTO, FROM, GOHOME, GODLTA, arc, spline or cycle point of the file is one move, or the file is
 ///          refused. (2) A statement that is not understood becomes a move with a reason, a counted word or a note.

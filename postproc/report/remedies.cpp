@@ -90,6 +90,25 @@ std::string lift_words(const ReportModel& model, const LiftCure& lift) {
 
 }  // namespace
 
+Diagnostics describe_unused(const std::vector<Vouched>& vouched, const Assumptions& facts,
+                            const std::string& path_file) {
+  Diagnostics notes;
+  for (const Vouched& one : vouched) {
+    if (one.object.empty()) continue;
+    const std::string subject = subject_name(one.subject);
+    std::vector<std::string> there;
+    for (const Assumption& fact : facts)
+      if (fact.subject == one.subject && !fact.object.empty()) there.push_back(subject + "=" + fact.object);
+    if (std::ranges::find(there, subject + "=" + one.object) != there.end()) continue;
+    notes.push_back(
+        make_note(kOptionUnused,
+                  "--assume " + subject + "=" + one.object + " has no effect: " +
+                      (there.empty() ? "the verdict rests on no such fact" : "there is " + listed(there, " and ")),
+                  path_file));
+  }
+  return notes;
+}
+
 const FindingCures* cures_of(const ReportModel& model, std::size_t event) {
   const auto found = std::ranges::lower_bound(model.cures, event, {}, &FindingCures::event);
   return found != model.cures.end() && found->event == event ? &*found : nullptr;

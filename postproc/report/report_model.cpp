@@ -176,7 +176,8 @@ std::vector<std::string> reservations(const ReportModel& model) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> all = remedies(model);
   for (const Diagnostic& note : model.notes) {
-    if (note.code == kProjectFile || note.code == kLengthsInMm) all.push_back(note.message);
+    if (note.code == kProjectFile || note.code == kLengthsInMm || note.code == kOptionUnused)
+      all.push_back(note.message);
   }
   // "Clean" is the verdict on the remaining path; the part may have uncut material.
   if (std::string uncut = uncut_text(model.correction, model.toolpath->unit); !uncut.empty())
