@@ -224,6 +224,12 @@ class JobListReader {
         return {};
       }
       const std::string path = JobWords("check", base_).located(value.get<std::string>());
+      std::error_code ignored;
+      if (path.find('\\') != std::string::npos && !fs::exists(path, ignored)) {
+        fail("there is no \"path\" " + printable(path) + "; folders in it are separated by /, not by a backslash",
+             field.pointer);
+        return {};
+      }
       if (!is_pattern(path)) {
         paths.push_back(path);
         continue;

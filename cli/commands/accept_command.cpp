@@ -202,10 +202,10 @@ class Acceptor {
 
   [[nodiscard]] const Diagnostics& refused() const { return refused_; }
   [[nodiscard]] std::string bytes() const { return write_accepted(accepted_); }
-  /// Returns whether the file has new entries, or does not exist although all findings were asked for.
+  /// Returns whether the file has new entries, or is to state that there is nothing to accept.
   [[nodiscard]] bool is_to_write() const {
     std::error_code ignored;
-    return has_new() || (arguments_.is_all && !fs::exists(arguments_.output, ignored));
+    return has_new() || (arguments_.is_all && refused_.empty() && !fs::exists(arguments_.output, ignored));
   }
 
   void tell(std::ostream& out) const {
@@ -214,7 +214,7 @@ class Acceptor {
       out << printable("accepted: " + made.toolpath + ":" + std::to_string(made.line) + ": " + made.finding) << "\n";
     }
     if (known_ > 0) out << count_text(known_, "finding") << " accepted before\n";
-    if (has_new() || arguments_.is_all)
+    if (has_new() || (arguments_.is_all && refused_.empty()))
       out << printable(arguments_.output + " has " + count_text(accepted_.size(), "accepted finding")) << "\n";
   }
 
@@ -299,6 +299,7 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
                                  "accept takes --finding for one result, as each result has its own numbers; give one "
                                  "RESULT, or --all")});
   for (const std::string& file : *files) inputs.push_back({"the result", file});
+  for (const std::string& typed : arguments.results) add_batch_files(typed, inputs);
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   const Result<std::vector<StoredResult>> results = read_results(arguments, *files);
   if (!results) return fail(err, {results.error()});

@@ -74,7 +74,7 @@ Diagnostic JobWords::unknown(const std::string& key) const {
       if (name != "help" && !rules_->why_not(*option)) names.push_back(name);
     }
   }
-  const std::string nearest = nearest_name(key, names);
+  const std::string nearest = nearest_name(key.substr(std::min(key.find_first_not_of('-'), key.size())), names);
   return wrong("\"" + key + "\" is no option of " + command_ + "; expected the long name of one without its --" +
                (nearest.empty() ? "; see gougecheck " + command_ + " --help" : "; did you mean \"" + nearest + "\"?"));
 }

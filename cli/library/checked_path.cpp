@@ -262,7 +262,9 @@ CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, cons
 CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& library, const CheckOptions& options) {
   const gouge::Toolpath& toolpath = path.content().path;
   UnderstoodCheck understood = understand(options);
-  gouge::ResolvedTools resolved = value_or_raise(gouge::resolve_tools(toolpath, &library.content().library, {}, {}));
+  const gouge::ToolLibrary* const given =
+      library.content().library.tools.empty() ? nullptr : &library.content().library;
+  gouge::ResolvedTools resolved = value_or_raise(gouge::resolve_tools(toolpath, given, {}, {}));
   auto tools = std::make_shared<PathTools>();
   for (const auto& assembly : resolved.assemblies) {
     tools->variants.emplace_back();

@@ -6,6 +6,7 @@
 
 #include "cli/library/report_content.h"
 #include "cli/library/report_findings.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "postproc/report/write_report.h"
 
@@ -93,6 +94,11 @@ Report make_report(CheckedPath checked, gouge::CheckResult result) {
 std::size_t Report::size() const { return content_->state.size(); }
 
 Verdict Report::verdict() const { return content_->run ? verdict_of(*content_->run) : content_->saved->verdict; }
+
+int Report::exit_status() const {
+  if (verdict() == Verdict::clean) return gouge::kExitClean;
+  return verdict() == Verdict::gouges ? gouge::kExitGouges : gouge::kExitNotChecked;
+}
 
 std::size_t Report::count(State state) const {
   const auto index = static_cast<std::size_t>(state);

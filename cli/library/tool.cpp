@@ -8,6 +8,7 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/check/reach.h"
+#include "toolmodels/cutter_fields.h"
 #include "toolmodels/import/import_tools.h"
 #include "toolmodels/import/read_any_tools.h"
 
@@ -26,6 +27,28 @@ ordered_json segments_json(const std::vector<ToolSegment>& segments) {
 gouge::ToolLibrary library_of(const ordered_json& tool, const ordered_json& units) {
   const ordered_json library = {{"units", units}, {"tools", ordered_json::array({tool})}};
   return value_or_raise(gouge::read_tool_library("tool", library.dump()));
+}
+
+/// Throws for a dimension that the shape does not have, and for one that it needs. A shape that is not known passes.
+void require_dimensions(std::string_view shape, const std::map<std::string, double>& dimensions) {
+  const auto known = std::ranges::find_if(gouge::every_shape(),
+                                          [&](const gouge::Cutter& one) { return gouge::shape_name(one) == shape; });
+  if (known == gouge::every_shape().end()) return;
+  gouge::Cutter cutter = *known;
+  std::vector<std::string> all, missing;
+  gouge::detail::visit_fields(cutter, [&](const gouge::detail::CutterField& field) {
+    all.emplace_back(field.key);
+    if (!field.otherwise && !dimensions.contains(field.key)) missing.emplace_back(field.key);
+  });
+  const std::string of_shape =
+      "; the dimensions of the shape " + std::string(shape) + " are " + gouge::listed(all, " and ");
+  for (const auto& [dimension, value] : dimensions) {
+    if (std::ranges::find(all, dimension) == all.end())
+      raise(gouge::make_error("tool-dimension-name", "there is no dimension '" + dimension + "'" + of_shape, "tool"));
+  }
+  if (!missing.empty())
+    raise(gouge::make_error("tool-dimension-name", "the tool has no " + gouge::listed(missing, " and ") + of_shape,
+                            "tool"));
 }
 
 std::string names_in(const gouge::ToolLibrary& library) {
@@ -69,16 +92,8 @@ Tool::Tool(std::string_view shape, const std::map<std::string, double>& dimensio
   ordered_json tool = {{"name", name.empty() ? shape : name}, {"cutter", cutter}};
   if (!shank.empty()) tool["shank"] = segments_json(shank);
   if (!holder.empty()) tool["holder"] = segments_json(holder);
+  require_dimensions(shape, dimensions);
   gouge::ToolLibrary library = library_of(tool, "mm");
-  // An unknown dimension would be ignored, and the tool would not be the intended one.
-  for (const auto& [dimension, value] : dimensions) {
-    const bool is_unknown = std::ranges::any_of(library.notes, [&name = dimension](const gouge::Diagnostic& note) {
-      return note.code == "library-unknown-key" && note.message.find('"' + name + '"') != std::string::npos;
-    });
-    if (is_unknown)
-      raise(gouge::make_error("library-field",
-                              "the shape " + std::string(shape) + " has no dimension '" + dimension + "'", "tool"));
-  }
   content_ = std::make_shared<Content>(Content{std::move(library.tools.front())});
 }
 
@@ -129,6 +144,8 @@ ToolLibrary::ToolLibrary(const std::vector<Tool>& tools) {
   // Reads it as a file, so that the same rules hold.
   content_ = from_json(gouge::write_tool_library(library)).content_;
 }
+
+ToolLibrary ToolLibrary::empty() { return ToolLibrary(std::make_shared<Content>()); }
 
 bool ToolLibrary::has(std::string_view name) const { return content_->library.called(name) != nullptr; }
 std::vector<Note> ToolLibrary::notes() const { return to_notes(content_->library.notes); }

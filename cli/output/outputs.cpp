@@ -61,6 +61,14 @@ JobOutputs::JobOutputs(const JobArguments& arguments, const std::string& correct
 std::optional<int> JobOutputs::refuse(std::ostream& err) {
   if (const auto status = refuse_outputs(inputs_of(arguments_), outputs_, err)) return status;
   if (!report_) return std::nullopt;
+  const std::string batch = arguments_.batch_job.empty() ? batch_of_report(report_folder_of(outputs_)) : std::string();
+  if (!batch.empty() && !arguments_.is_forced)
+    return fail(
+        err,
+        {make_error("report-foreign",
+                    "a report here would stand for that of a job of the batch " + batch + "; name another folder",
+                    report_folder_of(outputs_))},
+        kExitUsage);
   const Outcome opened = report_->open();
   if (!opened) return fail(err, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
   if (const std::string& other = report_->replaced_toolpath(); !other.empty() && !arguments_.is_quiet)

@@ -68,6 +68,11 @@ Outcome ReportFolder::lock() {
   // On a file system without locks, the user must avoid two reports at once.
   if (::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Done{};
   ::close(std::exchange(lock_, -1));
+  if (has_name(names_, kBatchSummaryName))
+    return make_error("store-busy",
+                      "another gougecheck works in this folder of a batch; run this one when it has ended, or name "
+                      "another folder",
+                      folder_);
   return make_error(
       "report-busy",
       "another gougecheck is about to write its report here; expected a folder for each, or one after the other",
@@ -273,6 +278,16 @@ bool is_batch_folder(const std::string& name) {
   return std::filesystem::is_regular_file(std::filesystem::path(name) / kBatchSummaryName, ignored);
 }
 
+std::string batch_of_report(const std::string& folder) {
+  std::error_code ignored;
+  const fs::path full = fs::weakly_canonical(folder, ignored);
+  for (fs::path above = full.parent_path(); above != above.parent_path(); above = above.parent_path()) {
+    const bool is_batch = is_batch_folder(above.string()) || is_interrupted_batch(above.string());
+    if (is_batch && *full.lexically_relative(above).begin() == kReportsFolder) return above.string();
+  }
+  return {};
+}
+
 bool is_interrupted_batch(const std::string& name) {
   std::error_code ignored;
   return !is_batch_folder(name) && fs::is_regular_file(fs::path(name) / kBatchStoreName, ignored);
@@ -282,7 +297,7 @@ std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
   if (is_interrupted_batch(name)) return make_error("usage", "'" + name + "' " + kIsInterrupted);
   if (!is_batch_folder(name)) return std::nullopt;
   return make_error("usage", "'" + name + "' is the folder of a batch; expected one result of it: " +
-                                 (std::filesystem::path(name) / "reports" / "JOB").string());
+                                 (std::filesystem::path(name) / kReportsFolder / "JOB").string());
 }
 
 const std::vector<std::string>& names_of_batch() {

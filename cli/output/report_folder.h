@@ -20,6 +20,8 @@ namespace gouge {
 inline constexpr const char* kManifestName = "manifest.json";
 inline constexpr const char* kBatchSummaryName = "summary.json";
 inline constexpr const char* kBatchStoreName = "results.sqlite";
+/// Folder of the reports of the jobs in the folder of a batch.
+inline constexpr const char* kReportsFolder = "reports";
 
 /// A content that a file of the report may have.
 struct ManifestEntry {
@@ -59,6 +61,8 @@ struct ReportManifest {
 [[nodiscard]] bool is_batch_folder(const std::string& name);
 /// Returns whether a name is that of the folder of a batch that was interrupted: it has results, but no summary.
 [[nodiscard]] bool is_interrupted_batch(const std::string& name);
+/// Returns the folder of the batch to whose jobs the folder of a report belongs; empty: to none.
+[[nodiscard]] std::string batch_of_report(const std::string& folder);
 /// The rest of a sentence that begins with the name of such a folder.
 inline constexpr const char* kIsInterrupted =
     "is the folder of a batch that was interrupted; finish it with gougecheck batch ... --resume";

@@ -63,7 +63,10 @@ Asked asked(const First& first, const py::object& fixtures, const CheckOptions& 
   const auto& [path, part, tool] = first;
   const Path& its_path = bound<Path>(path, "path", "a Path (read_toolpath(file) makes one)");
   const bool is_tool = py::isinstance<Tool>(tool);
-  const ToolLibrary* library = is_tool ? nullptr : &bound<ToolLibrary>(tool, "tool", "a Tool or a ToolLibrary");
+  static const ToolLibrary kOfPath = ToolLibrary::empty();
+  if (tool.is_none()) return {its_path, scene_of(part, fixtures), nullptr, &kOfPath, options};
+  const ToolLibrary* library =
+      is_tool ? nullptr : &bound<ToolLibrary>(tool, "tool", "a Tool, a ToolLibrary, or None for the tools of the path");
   return {its_path, scene_of(part, fixtures), is_tool ? tool.cast<const Tool*>() : nullptr, library, options};
 }
 

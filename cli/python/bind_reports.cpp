@@ -142,6 +142,9 @@ void bind_reports(py::module_& module) {
           "'clean', 'gouges' or 'not-fully-checked'.")
       .def_property_readonly("is_clean", &Report::is_clean,
                              "Every move is proved clean, and no fact that this rests on is open.")
+      .def_property_readonly(
+          "exit_status", &Report::exit_status,
+          "The exit status of 'gougecheck check' for this verdict: 0 clean, 1 gouges, 4 not fully checked.")
       .def_property_readonly("assumptions", &Report::assumptions, "The facts that the verdict rests on: Assumption.")
       .def_property_readonly("worst_depth", &Report::worst_depth, "mm, of all moves; 0 where none is deep.")
       .def_property_readonly(

@@ -44,9 +44,8 @@ Tool make_tool(const std::string& shape, const py::args& args, const py::kwargs&
   try {
     return {shape, dimensions, shank_segments, holder_segments, name.is_none() ? std::string() : text_of(name, "name")};
   } catch (const Error& error) {
-    const std::string what = error.what();
-    if (what.find("has no dimension '") == std::string::npos) throw;
-    throw py::type_error("Tool." + shape + "(): " + what);  // a keyword that does not exist
+    if (error.code() != "tool-dimension-name") throw;
+    throw py::type_error("Tool." + shape + "(): " + error.what());  // keywords that do not exist, or are missing
   }
 }
 

@@ -69,6 +69,7 @@ constexpr auto kBeginnings = std::to_array<KnownBeginning>({
     {"MZ\x90", {"a program of Windows", document}},
     {"<!DOCTYPE html", {"a web page (HTML)", text}},
     {"<html", {"a web page (HTML)", text}},
+    {"<<<<<<< ", {"a file with conflict markers of git", stand_in, "resolve the conflict, then use it"}},
     {"<", {"XML", text}},
     {"{", {"JSON", text}},
 });

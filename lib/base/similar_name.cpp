@@ -81,7 +81,10 @@ Diagnostic describe_missing_file(const std::string& path) {
   if (fs::is_symlink(fs::symlink_status(path, unknown)))
     return make_error("file-not-found",
                       "is a link to " + fs::read_symlink(path, unknown).string() + ", which does not exist", path);
-  std::string message = "no such file";
+  std::string message = "no such file", slashed = path;
+  std::ranges::replace(slashed, '\\', '/');
+  if (slashed != path && fs::exists(slashed, unknown))
+    return make_error("file-not-found", message + "; did you mean " + slashed + "?", path);
   if (!folder.empty() && !fs::exists(folder, unknown)) {
     message += "; the folder " + folder.string() + " does not exist";
   } else {

@@ -85,6 +85,10 @@ std::string mistake_at(std::string_view bytes, std::size_t byte) {
 // Returns the usual mistake at the byte that the parser rejected, with its remedy; empty: none of these.
 std::string usual_mistake(std::string_view bytes, std::size_t byte) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return " (UTF-16: save the file as UTF-8)";
+  const std::size_t line = byte > 0 && byte <= bytes.size() ? bytes.rfind('\n', byte - 1) + 1 : 0;
+  for (const std::string_view marker : {"<<<<<<< ", "=======", ">>>>>>> "})
+    if (bytes.substr(std::min(line, bytes.size())).starts_with(marker))
+      return " (a conflict marker of git: resolve the conflict)";
   if (byte == 0 || byte >= bytes.size()) return {};
   const char rejected = bytes[byte];
   const std::size_t last = bytes.find_last_not_of(" \t\r\n", byte - 1);

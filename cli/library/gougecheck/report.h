@@ -55,6 +55,8 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] Verdict verdict() const;
   [[nodiscard]] bool is_clean() const { return verdict() == Verdict::clean; }
+  /// Returns the exit status of `gougecheck check` for this verdict: 0 clean, 1 gouges, 4 not fully checked.
+  [[nodiscard]] int exit_status() const;
   [[nodiscard]] std::size_t count(State state) const;
   [[nodiscard]] double worst_depth() const;  ///< of all moves; 0 if no move has a depth
 

@@ -65,6 +65,9 @@ class GOUGECHECK_EXPORT ToolLibrary {
   /// Builds a library. Throws   Error: those of the tool library, such as two tools with one number.
   explicit ToolLibrary(const std::vector<Tool>& tools);
 
+  /// Returns a library without tools, for a path that defines its tools itself (CUTTER, TLDATA).
+  [[nodiscard]] static ToolLibrary empty();
+
   [[nodiscard]] std::vector<Tool> tools() const;
   /// Returns a tool by name, or by number written 3 or T3. Throws Error, library-which, if there is none.
   [[nodiscard]] Tool tool(std::string_view name) const;

@@ -223,6 +223,8 @@ class Report:
     @property
     def verdict(self) -> str: ...
     @property
+    def exit_status(self) -> int: ...
+    @property
     def is_clean(self) -> bool: ...
     @property
     def worst_depth(self) -> float: ...
@@ -314,7 +316,7 @@ _Part = Union[Mesh, Sequence[Mesh], Scene]
 
 #: A program that ran before: its path, its tools and, if its coordinates are others, their place.
 _Program = Union[Tuple[Path, Union[Tool, ToolLibrary]], Tuple[Path, Union[Tool, ToolLibrary], str]]
-def check(path: Path, part: _Part, tool: Union[Tool, ToolLibrary], *, fixtures: Sequence[Mesh] = ...,
+def check(path: Path, part: _Part, tool: Union[Tool, ToolLibrary, None], *, fixtures: Sequence[Mesh] = ...,
     tolerance: float = ..., resolution: float = ..., stock_to_leave: float = ..., shank_clearance: float = ...,
     holder_clearance: float = ..., near_miss: float = ..., rapids: str = ..., machine: str = ...,
     feed_law: str = ..., rapid_law: str = ..., tool_length: Optional[float] = ..., tool_length_slack: float = ...,
@@ -322,7 +324,7 @@ def check(path: Path, part: _Part, tool: Union[Tool, ToolLibrary], *, fixtures: 
     tip_tolerance: float = ..., axis_tolerance: float = ..., threads: int = ..., assume: Sequence[str] = ..., strict: bool = ...,
     stock: Union[str, Mesh, Sequence[Mesh], None] = ..., before: Union[_Program, Sequence[_Program]] = ...,
     stock_tolerance: Optional[float] = ..., stock_resolution: Optional[float] = ...) -> Report: ...
-def correct(path: Path, part: _Part, tool: Union[Tool, ToolLibrary], *, fixtures: Sequence[Mesh] = ...,
+def correct(path: Path, part: _Part, tool: Union[Tool, ToolLibrary, None], *, fixtures: Sequence[Mesh] = ...,
     strategy: str = ..., max_shift: float = ..., max_side_shift: Optional[float] = ..., max_tilt: float = ...,
     rapid_clearance: float = ..., tolerance: float = ..., resolution: float = ..., stock_to_leave: float = ...,
     shank_clearance: float = ..., holder_clearance: float = ..., rapids: str = ..., machine: str = ...,

@@ -78,10 +78,11 @@ def test_tools_by_shape_and_from_json():
     tool = gougecheck.Tool.bull_nose(diameter=16, corner_radius=2, length=25, shank=[(16, 16, 20)])
     assert tool.height == 45 and not tool.has_holder
     assert gougecheck.Tool.from_json(tool.to_json()).to_json() == tool.to_json()
-    with pytest.raises(gougecheck.Error, match="corner_radius") as caught:
+    with pytest.raises(TypeError, match="the tool has no corner_radius; the dimensions of the shape bull_nose are"):
         gougecheck.Tool.bull_nose(diameter=16, length=25)
-    assert caught.value.code == "library-field"
-    with pytest.raises(TypeError, match=r"Tool\.ball\(\): .*the shape ball has no dimension 'lenght'"):
+    with pytest.raises(TypeError, match="there is no dimension 'diametre'"):
+        gougecheck.Tool.ball(diametre=10, length=30)
+    with pytest.raises(TypeError, match=r"Tool\.ball\(\): .*there is no dimension 'lenght'; .* diameter and length"):
         gougecheck.Tool.ball(diameter=10, length=30, lenght=5)
     with pytest.raises(TypeError, match="taper"):
         gougecheck.Tool.ball(diameter=16, length=25, taper=3)
@@ -116,7 +117,7 @@ def test_arguments_of_another_kind_are_type_errors_that_name_them():
         "path: expected a Path": lambda: gougecheck.check("a.apt", mesh, tool),
         "part: expected a Mesh, a list of Mesh or a Scene, got 'p.stl'": lambda: gougecheck.check(path, "p.stl", tool),
         "part\\[1\\]: expected a Mesh, got 3": lambda: gougecheck.check(path, [mesh, 3], tool),
-        "tool: expected a Tool or a ToolLibrary": lambda: gougecheck.check(path, mesh, 7),
+        "tool: expected a Tool, a ToolLibrary, or None for the tools of the path": lambda: gougecheck.check(path, mesh, 7),
         "tolerance: expected a number, got '0.01'": lambda: gougecheck.check(path, mesh, tool, tolerance="0.01"),
         "tolerance: expected a number, got None": lambda: gougecheck.check(path, mesh, tool, tolerance=None),
         "threads: expected a whole number of 0 or more, got -1": lambda: gougecheck.check(path, mesh, tool, threads=-1),

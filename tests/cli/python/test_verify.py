@@ -135,3 +135,15 @@ def test_what_was_in_memory_is_named(shop):
                           (gougecheck.check(path, part, tools, stock=block), "stock ")):
         status, text = shop.verify(report)
         assert status == 3 and named in text and "verify-input" in text, text
+
+
+def test_tools_of_the_path(shop):
+    _, part, _ = read_all(shop)
+    path = gougecheck.read_toolpath(shop.file("c.apt", CROSSING.replace("LOADTL/1", "CUTTER/10,0,5,0,0,0,90\nLOADTL/1")))
+    report = gougecheck.check(path, part, None)
+    assert report.verdict == "gouges" and report.exit_status == 1
+    assert not any("library" in note.text for note in report.notes)
+    status, text = shop.verify(report)
+    assert status == 0, text
+    with pytest.raises(gougecheck.Error, match="no-tool"):
+        gougecheck.check(gougecheck.read_toolpath(shop.file("a.apt", CROSSING)), part, None)

@@ -48,5 +48,11 @@ TEST_F(MissingFile, IsNamedWithTheFolderThatIsMissingToo) {
   EXPECT_EQ(describe_missing_file("/no/such/file").code, "file-not-found");
 }
 
+TEST_F(MissingFile, WithBackslashesIsNamedWithSlashes) {
+  const std::string file = (folder / "blade.STL").string();
+  const std::string typed = folder.string() + "\\blade.STL";
+  EXPECT_EQ(describe_missing_file(typed).message, "no such file; did you mean " + file + "?");
+}
+
 }  // namespace
 }  // namespace gouge::similar_name_test
