@@ -106,7 +106,7 @@ struct ToolLibrary::Content {
   bool is_by_facts = false;                  // read with facts that the file does not state
 };
 
-/// What the text of a program does not state.
+/// Facts about a program that its text does not state.
 struct ProgramOrigin {
   std::string machine;  // with which it was read, with its facts; empty: none
   std::string joint_rapid_law;

@@ -7,7 +7,7 @@
 #include "postproc/report/report_model.h"
 #include "toolmodels/assembly.h"
 
-// What makes two set-ups the same, as short texts that results hold. Acceptances and comparisons look for them.
+// Short texts by which acceptances and comparisons recognize the same set-up.
 
 namespace gouge {
 

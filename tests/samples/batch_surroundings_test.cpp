@@ -184,6 +184,26 @@ TEST(Batch, OfALaterVersionIsLeftAsItIs) {
   EXPECT_TRUE(text_of(folder + "/out/results.sqlite") == before);
 }
 
+TEST(Batch, KeepsItsFilesFromOutputsOfCommandsThatReadIt) {
+  const std::string folder = samples_with_list({"needles"});
+  ASSERT_EQ(run_batch(folder, {"jobs.json", "-o", "out"}).exit_status, 0);
+  const std::string summary = text_of(folder + "/out/summary.json"), report = folder + "/out/reports/needles";
+  const std::string result = text_of(report + "/result.json");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"compare", "out", "out", "--json", "out/summary.json"},
+        {"compare", "out", "out", "--json", "out/results.sqlite"},
+        {"accept", "out", "--all", "--reason", "x", "--by", "y", "-o", "out/summary.json"},
+        {"check", "path.apt", "--part", "part.stl", "--report", "out/reports/needles"},
+        {"check", "path.apt", "--part", "part.stl", "--report", "out/reports/new/of"}}) {
+    write_text(folder + "/path.apt", "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,50\nFINI\n");
+    fs::copy_file(folder + "/needles/part.stl", folder + "/part.stl", fs::copy_options::overwrite_existing);
+    EXPECT_EQ(run_gougecheck(folder, words).exit_status, 2) << words[0] << " " << words.back();
+  }
+  EXPECT_EQ(text_of(folder + "/out/summary.json"), summary);
+  EXPECT_EQ(text_of(report + "/result.json"), result);
+  EXPECT_FALSE(fs::exists(folder + "/out/reports/new"));
+}
+
 TEST(Batch, OfTwoInOneFolderTheSecondIsRefused) {
   const std::string folder = samples_with_list({"pocket", "needles", "thin_post"});
   const Outcome ran = run_script(folder,
@@ -193,7 +213,7 @@ TEST(Batch, OfTwoInOneFolderTheSecondIsRefused) {
                                  "wait $first; echo first $?\n");
   EXPECT_NE(ran.out.find("first 1\n"), std::string::npos) << ran.out;
   if (ran.out.find("second 5\n") != std::string::npos) {
-    EXPECT_NE(ran.err.find("-busy"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("[store-busy]"), std::string::npos) << ran.err;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "tests/samples/csv.h"
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/small_shop.h"
 
 // Exit statuses and streams, as docs/exit_codes.md guarantees them.
 
@@ -232,6 +233,34 @@ TEST(CommandLine, AToolNameAloneIsForMovesThatNameNoTool) {
       run_gougecheck(sample.path, sample.arguments("check", "list.txt", {"--tool", "flat D10", "--tool", "flat D10"}));
   EXPECT_EQ(twice.exit_status, 2);
   EXPECT_NE(twice.err.find("--tool 'flat D10': expected N=NAME"), std::string::npos) << twice.err;
+}
+
+TEST(CommandLine, OptionsWithoutEffectAreStatedBesideTheVerdict) {
+  const SmallShop shop;
+  const std::string text = path_text(stations());
+  const auto noted = [&](const std::vector<std::string>& more) {
+    const Outcome ran = shop.check("a", text, more);
+    EXPECT_EQ(ran.exit_status, 0) << ran.err;
+    const std::size_t at = ran.out.find("no effect: ");
+    return at == std::string::npos ? std::string() : ran.out.substr(at, ran.out.find('\n', at) - at);
+  };
+  EXPECT_EQ(noted({"--offset", "G54=1,2,3", "--plain-numbers", "units"}), "no effect: the toolpath is CL data");
+  EXPECT_EQ(noted({"--tool-length", "100"}), "no effect: no --machine is given");
+  EXPECT_EQ(noted({"--assume", "tool=T7"}), "no effect: there is tool=T1");
+  EXPECT_EQ(noted({"--assume", "tool=T1"}), "");
+  EXPECT_EQ(noted({"--assume", "stock"}), "") << "it serves several paths";
+}
+
+TEST(CommandLine, AProgramIsNotCorrectedWhateverItStillNeeds) {
+  const SmallShop shop;
+  shop.write("p.nc", "%\nO1\nG21 G90 G17 G94\nG0 A90. X0 Y0 Z5.\nG1 Z1. F100\nM30\n%\n");
+  shop.write("part.stl", plate_stl());
+  for (const std::string name : {"p.nc", "-"}) {
+    const Outcome ran =
+        shop.run_script("$GOUGECHECK correct " + name + " --part part.stl --control haas -o x.nc < p.nc");
+    EXPECT_EQ(ran.exit_status, 3);
+    EXPECT_TRUE(name == "-" || ran.err.find("[write-gcode]") != std::string::npos) << ran.err;
+  }
 }
 
 TEST(CommandLine, ALargerToleranceTurnsAShallowGougeClean) {
