@@ -49,7 +49,10 @@ TEST(LibraryErrors, OfMeshes) {
 TEST(LibraryErrors, OfTools) {
   EXPECT_EQ(code_of([] { Tool("bal", {{"diameter", 1}}); }), "library-field");
   EXPECT_EQ(code_of([] { Tool("ball", {{"diameter", 1}}); }), "tool-dimension-name");
-  EXPECT_EQ(code_of([] { Tool("ball", {{"diameter", 1}, {"length", 3}, {"corner_radius", 1}}); }), "tool-dimension-name");
+  EXPECT_EQ(code_of([] {
+              Tool("ball", {{"diameter", 1}, {"length", 3}, {"corner_radius", 1}});
+            }),
+            "tool-dimension-name");
   EXPECT_EQ(code_of([] { Tool("ball", {{"diameter", -1}, {"length", 3}}); }), "tool-dimension-not-positive");
   EXPECT_EQ(code_of([] { (void)Tool::from_json("{"); }), "library-syntax");
   const std::string two = R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"flat","diameter":1,"length":2}},
