@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/output/overwriting.h"
+#include "cli/output/report_folder.h"
 #include "lib/base/letters.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
@@ -71,10 +72,15 @@ class FolderWalk {
   Outcome take(const std::string& place) {
     std::error_code ignored;
     const fs::file_status status = fs::status(place, ignored);
-    if (fs::is_directory(status)) return canonical_place(place) == own_ ? Outcome(Done{}) : look_into(place);
+    if (fs::is_directory(status)) return is_result(place) ? Outcome(Done{}) : look_into(place);
     const bool may_be_read = fs::is_regular_file(status) || !fs::exists(status);
     if (may_be_read && has_toolpath_ending(place, are_programs_)) files_.insert(place);
     return Done{};
+  }
+
+  /// Returns whether a folder is that of the results of a batch, this one or another. Corrected toolpaths lie in it.
+  [[nodiscard]] bool is_result(const std::string& folder) const {
+    return canonical_place(folder) == own_ || is_batch_folder(folder) || is_interrupted_batch(folder);
   }
 
   std::string own_;

@@ -8,9 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <ctime>
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "cli/commands/batch_results.h"
 #include "cli/commands/load_result.h"
@@ -110,6 +115,23 @@ Diagnostics doubts_about_date(const AcceptArguments& a) {
   return {make_warning("accept-date", "--date " + a.date + " is in the future; today is " + date_of(now) + " (UTC)")};
 }
 
+/// Numbers of findings, from `first` to `last`.
+struct NumberRange {
+  std::uint32_t first = 0, last = 0;
+};
+
+/// Parses "3" or "3-6". Nothing: another text, or a range that is empty or has more numbers than a result has findings.
+std::optional<NumberRange> parse_range(const std::string& text) {
+  constexpr std::int64_t kMost = 1'000'000;
+  const std::size_t dash = text.find('-');
+  const auto first = parse_integer(text.substr(0, dash));
+  const auto last = dash == std::string::npos ? first : parse_integer(text.substr(dash + 1));
+  if (!first || !last || *first < 0 || *last < *first || *last - *first >= kMost ||
+      *last > std::numeric_limits<std::uint32_t>::max() - 1)
+    return std::nullopt;
+  return NumberRange{static_cast<std::uint32_t>(*first), static_cast<std::uint32_t>(*last)};
+}
+
 void list(const StoredResult& result, std::ostream& out) {
   std::vector<const EventRecord*> findings;
   for (const EventRecord& finding : result.findings) findings.push_back(&finding);
@@ -142,10 +164,21 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       ->type_name("FILE")
       ->required();
   command
-      .add_option("--finding", arguments.findings,
-                  "Number of a finding to accept, or several: 3,4 (repeatable; default: list all findings)")
+      .add_option_function<std::vector<std::string>>(
+          "--finding",
+          [&arguments](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              const NumberRange range = *parse_range(text);
+              for (std::uint32_t number = range.first; number <= range.last; ++number)
+                arguments.findings.push_back(number);
+            }
+          },
+          "Numbers of the findings to accept: 3, 3,4 or 3-6 (repeatable; default: list all findings)")
+      ->check([](const std::string& text) {
+        return parse_range(text) ? std::string() : "expected the number of a finding, or a range such as 3-6";
+      })
       ->delimiter(',')
-      ->type_name("UINT")
+      ->type_name("N")
       ->allow_extra_args(false);
   command.add_flag("--all", arguments.is_all,
                    "Accept every finding of each RESULT. Findings that cannot be accepted are named and stay gouges");

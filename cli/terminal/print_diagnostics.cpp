@@ -11,6 +11,7 @@
 #include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/paint.h"
+#include "lib/base/printable_text.h"
 
 namespace gouge {
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose) {
@@ -24,7 +25,12 @@ std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity) {
 }
 
 void print(std::ostream& err, const Diagnostics& diagnostics) {
-  for (const Diagnostic& d : diagnostics) err << (is_coloured(err) ? painted_text(d) : to_text(d)) << "\n";
+  constexpr std::size_t kIndent = 2;
+  const std::size_t columns = terminal_columns(err);
+  for (const Diagnostic& d : diagnostics) {
+    const std::string text = is_coloured(err) ? painted_text(d) : to_text(d);
+    err << (columns == 0 ? text : wrapped(text, columns, kIndent)) << "\n";
+  }
 }
 
 namespace {

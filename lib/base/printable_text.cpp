@@ -76,6 +76,10 @@ std::string printable(std::string_view text) {
 std::size_t display_width(std::string_view text) {
   std::size_t width = 0;
   for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == '\x1b') {  // a colour, up to its m
+      at = std::min(text.find('m', at), text.size() - 1) + 1;
+      continue;
+    }
     const std::optional<CodePoint> c = decode_utf8(text, at);
     width += c ? static_cast<std::size_t>(width_of(c->value)) : 1;
     at += c ? c->bytes : 1;

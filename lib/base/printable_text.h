@@ -19,7 +19,7 @@ namespace gouge {
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// Returns the number of columns that a terminal uses for a printable text. Combining marks use none, Chinese and
-/// Japanese characters two. The result is the same in every locale.
+/// Japanese characters two. The colours of `painted` use none. The result is the same in every locale.
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
 /// Returns printable(text), padded with blanks to `width` columns. Wider text is not cut.

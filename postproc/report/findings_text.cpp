@@ -24,8 +24,9 @@ constexpr double kNoteworthy = 1.02;
 std::string line(const std::string& text) { return printable(text) + "\n"; }
 
 // Returns the text as lines of the summary; those behind the first are indented. columns 0: one line.
+constexpr std::size_t kIndent = 2;  // of the further lines of a text that is wrapped
+
 std::string summary_line(const std::string& text, std::size_t columns) {
-  constexpr std::size_t kIndent = 2;
   return columns == 0 ? line(text) : wrapped(printable(text), columns, kIndent) + "\n";
 }
 
@@ -207,8 +208,10 @@ class FindingsWriter {
   void add(const Toolpath& path, std::size_t at, const std::string& what, Paint paint) {
     const std::string shown = printable(what);
     const std::size_t end = shown.find(':') + 1;
-    text_ += painted(printable(path.file) + ":" + std::to_string(at) + ":", Paint::place, view_.is_coloured) + " " +
-             painted(shown.substr(0, end), paint, view_.is_coloured) + shown.substr(end) + "\n";
+    const std::string whole =
+        painted(printable(path.file) + ":" + std::to_string(at) + ":", Paint::place, view_.is_coloured) + " " +
+        painted(shown.substr(0, end), paint, view_.is_coloured) + shown.substr(end);
+    text_ += (view_.columns == 0 ? whole : wrapped(whole, view_.columns, kIndent)) + "\n";
   }
 
   void add(std::size_t index) {

@@ -39,7 +39,8 @@ struct ToolpathFolder : testing::Test {
 
 TEST_F(ToolpathFolder, HasTheToolpathsInItAndBelowIt) {
   for (const char* name :
-       {"b.APT", "a/c.ncl.1", "a/part.stl", "tools.json", ".old/d.apt", ".e.apt", "night/corrected/f.apt", "g.ngc"})
+       {"b.APT", "a/c.ncl.1", "a/part.stl", "tools.json", ".old/d.apt", ".e.apt", "night/corrected/f.apt", "g.ngc",
+        "old/corrected/h.apt", "old/summary.json", "broken/corrected/i.apt", "broken/results.sqlite"})
     put(name);
   const auto found = expand_folders({root.string(), "h.xyz"}, (root / "night").string(), false);
   ASSERT_TRUE(found);

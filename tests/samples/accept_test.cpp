@@ -268,9 +268,9 @@ TEST_F(Accept, OptionsAreAskedForByName) {
                 .find("a day like"),
             std::string::npos);
   EXPECT_NE(error_of({"accept", "a.json", "--reason", "r"}).find("needs --finding"), std::string::npos);
-  for (const char* number : {"-1", "1.5", "99999999999999999999", "one"})
+  for (const char* number : {"-1", "1.5", "99999999999999999999", "one", "3-1", "1-", "1-2-3", "0-99999999"})
     EXPECT_NE(error_of({"accept", "a.json", "--finding", number})
-                  .find("--finding '" + std::string(number) + "': expected a whole number of 0 or more"),
+                  .find("--finding '" + std::string(number) + "': expected the number of a finding, or a range"),
               std::string::npos)
         << number;
   const Outcome listed = shop_.run({"accept", "a.json"});
@@ -415,6 +415,15 @@ TEST_F(Accept, ANumberGivenTwiceIsRefused) {
   const Outcome ran = accept("a.json", "1,1");
   EXPECT_EQ(ran.exit_status, 2);
   EXPECT_NE(ran.err.find("--finding names finding 1 twice"), std::string::npos) << ran.err;
+}
+
+TEST_F(Accept, ARangeNamesEachOfItsFindings) {
+  ASSERT_EQ(shop_.check("a", path_text(stations({{20, -0.1}, {50, -0.1}, {80, -0.1}}))).exit_status, 1);
+  ASSERT_EQ(accept("a.json", "3,1-2").exit_status, 0);
+  EXPECT_EQ(shop_.check("b", path_text(stations({{20, -0.1}, {50, -0.1}, {80, -0.1}})), {"--baseline", "accepted.json"})
+                .exit_status,
+            0);
+  EXPECT_NE(accept("a.json", "2-3").err.find("accepted"), std::string::npos) << "the second has an entry";
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ TEST(DisplayWidth, CountsColumnsNotBytes) {
   EXPECT_EQ(display_width("Torusfräser"), 11U);
   EXPECT_EQ(display_width("e\u0301"), 1U) << "a combining accent";
   EXPECT_EQ(display_width("東京"), 4U);
+  EXPECT_EQ(display_width("\x1b[1;31mgouge:\x1b[0m"), 6U) << "colours";
   EXPECT_EQ(padded("東京", 6), "東京  ");
   EXPECT_EQ(padded("fräsen", 4), "fräsen");
   EXPECT_EQ(padded("a\nb", 6), "a\\nb  ");
