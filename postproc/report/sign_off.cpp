@@ -1,5 +1,7 @@
 #include "postproc/report/sign_off.h"
 
+#include <algorithm>
+
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
 
@@ -14,17 +16,32 @@ std::string batch_links(const SignOff& s) {
          link("after", "Next report") + "</nav>\n";
 }
 
+namespace {
+
+/// Returns a command for a page. Lines break before an option, as browsers also break behind its dashes.
+std::string command_html(const std::string& command) {
+  std::string out;
+  for (std::size_t at = 0; at < command.size();) {
+    const std::size_t end = std::min(command.find(' ', at), command.size());
+    const std::string word = xml_escaped(command.substr(at, end - at));
+    out += (at == 0 ? "" : " ") + (word.starts_with('-') ? "<span>" + word + "</span>" : word);
+    at = end + 1;
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string sign_off_facts(const SignOff& s) {
   std::string out = "<dl class=\"facts\">\n";
-  const auto add = [&](const char* name, const std::string& value, const char* css = "") {
-    if (!value.empty())
-      out += std::string("<div") + css + "><dt>" + name + "</dt><dd>" + xml_escaped(value) + "</dd></div>\n";
+  const auto add = [&](const char* name, const std::string& html, const char* css = "") {
+    if (!html.empty()) out += std::string("<div") + css + "><dt>" + name + "</dt><dd>" + html + "</dd></div>\n";
   };
-  add("Project", s.project);
-  add("Reviewer", s.reviewer);
-  add("Date", s.date);
+  add("Project", xml_escaped(s.project));
+  add("Reviewer", xml_escaped(s.reviewer));
+  add("Date", xml_escaped(s.date));
   add("Program", std::string(kProgramName) + " " + kProgramVersion);
-  add("Command", s.command, " class=\"command\"");
+  add("Command", command_html(s.command), " class=\"command\"");
   return out + "</dl>\n";
 }
 
