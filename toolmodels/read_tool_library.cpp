@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/base/similar_name.h"
 #include "lib/base/tolerance.h"
 #include "lib/json/json_file.h"
 #include "toolmodels/cutter_fields.h"
@@ -197,7 +198,8 @@ class Reader {
     warn_unknown_keys(entry, pointer, who,
                       {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "cuts",
                        "uncertain", "comment"});
-    if (!entry.contains("cutter")) return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
+    if (!entry.contains("cutter"))
+      return fail("library-field", who + " has no \"cutter\"; it needs one" + keys_text(entry), pointer);
     read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
     if (entry.contains("shank")) tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
     if (entry.contains("extensions")) read_extensions(entry["extensions"], pointer + "/extensions", who, tool);
@@ -265,9 +267,13 @@ class Reader {
       tool.cutter = known;
       return read_fields(value, pointer, who, tool.cutter);
     }
+    std::vector<std::string> shapes;
+    for (const Cutter& known : every_shape()) shapes.emplace_back(shape_name(known));
+    const std::string similar = find_similar_name(shape, shapes);
     if (!error_)
       fail("library-field",
-           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") + "; expected one of " + names,
+           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") + "; expected one of " + names +
+               (similar.empty() ? "" : "; did you mean " + similar + "?"),
            pointer + "/shape");
   }
 

@@ -378,6 +378,11 @@ Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& places, 
                       "toolpaths need --part; a job list, which says it of each job, is one file called *.json");
   const Result<std::vector<std::string>> toolpaths = expand_folders(places, folder.path, are_of_programs(words));
   if (!toolpaths) return toolpaths.error();
+  for (const std::string& path : *toolpaths) {
+    std::error_code ignored;
+    if (is_pattern(path) && !fs::exists(path, ignored))
+      return make_error("usage", "no file is like " + printable(path) + "; expected one at least");
+  }
   const std::vector<std::string> names = names_of_toolpaths(*toolpaths);
   std::vector<BatchJob> jobs;
   std::map<std::string, std::string> files;

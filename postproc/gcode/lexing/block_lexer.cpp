@@ -64,7 +64,7 @@ class BlockLexer {
     if (c == ';') return read_after_semicolon();
     if (c == '#') return read_assignment();
     if (is_letter(c)) return read_word();
-    c_.fail("'" + std::string(1, c) + "' is no part of a block");
+    c_.fail_at_character();
   }
 
   void read_comment() {

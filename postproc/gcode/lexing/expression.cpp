@@ -341,6 +341,13 @@ void GcodeCursor::fail(std::string reason) {
   at = text.size();
 }
 
+void GcodeCursor::fail_at_character() {
+  const bool is_decimal_comma =
+      peek() == ',' && at > 0 && is_digit(text[at - 1]) && at + 1 < text.size() && is_digit(text[at + 1]);
+  fail("'" + std::string(1, peek()) + "' is no part of a block" +
+       (is_decimal_comma ? " (a decimal comma: write a point)" : ""));
+}
+
 double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables, bool& has_point) {
   cursor.skip_blanks();
   const std::size_t begin = cursor.at;

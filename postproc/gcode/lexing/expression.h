@@ -25,6 +25,8 @@ struct GcodeCursor {
   [[nodiscard]] char peek() const { return is_end() ? '\0' : text[at]; }
   void skip_blanks();
   void fail(std::string reason);
+  /// Fails at a character with which no part of a block begins.
+  void fail_at_character();
 };
 
 /// Reads a value at the cursor and moves the cursor behind it. Returns kUnknownValue for a value that depends on a

@@ -38,8 +38,7 @@ class SiemensLexer {
 
   void read_word() {
     const char first = at(0);
-    if (!is_capital(first) && first != '_' && first != '$')
-      return c_.fail("'" + std::string(1, c_.peek()) + "' is no part of a block");
+    if (!is_capital(first) && first != '_' && first != '$') return c_.fail_at_character();
     if (is_capital(first) && begins_number(at(1)) && !is_extended()) return read_address();
     read_named();
   }
