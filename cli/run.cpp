@@ -64,7 +64,7 @@ std::vector<const char*> pointers_to(const std::vector<std::string>& words) {
 }
 
 int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out, std::ostream& err) {
-  if (!set_threads(app, arguments, err)) return kExitInternal;
+  if (!set_threads(app, arguments, err)) return kExitUsage;
   if (app.got_subcommand("check")) return run_check(arguments.check, {out, err});
   if (app.got_subcommand("correct")) return run_correct(arguments.correct, {out, err});
   if (app.got_subcommand("batch")) return run_batch(arguments.batch, out, err);

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "cli/options/help_text.h"
+#include "cli/output/output_file.h"
 #include "lib/base/file_kind.h"
 #include "lib/base/files.h"
 #include "lib/base/input_file.h"
@@ -155,8 +156,7 @@ std::optional<Diagnostic> find_wrong(const Files& files) {
 }
 
 std::string report_beside(const std::string& path) {
-  const fs::path file(path);
-  return (file.parent_path() / file.stem()).string() + "_report";
+  return (fs::path(path).parent_path() / split_toolpath_name(path).stem).string() + "_report";
 }
 
 }  // namespace

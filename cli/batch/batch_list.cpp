@@ -9,6 +9,7 @@
 
 #include "cli/batch/toolpath_files.h"
 #include "cli/commands/job_words.h"
+#include "cli/output/output_file.h"
 #include "cli/output/overwriting.h"
 #include "cli/output/report_folder.h"
 #include "lib/base/files.h"
@@ -361,7 +362,7 @@ std::string BatchJob::output() const {
 }
 
 std::string BatchFolder::corrected_name(const BatchJob& job) {
-  return "corrected/" + job.name + fs::path(job.job().path).extension().string();
+  return "corrected/" + job.name + split_toolpath_name(job.job().path).ending;
 }
 
 Result<std::vector<BatchJob>> read_job_list(const std::string& file, const BatchFolder& folder) {

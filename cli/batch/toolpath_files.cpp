@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "cli/output/output_file.h"
 #include "cli/output/overwriting.h"
 #include "cli/output/report_folder.h"
 #include "lib/base/letters.h"
@@ -22,11 +23,10 @@ constexpr std::string_view kOfClData[] = {".apt", ".aptsource", ".as",  ".cl",  
 constexpr std::string_view kOfPrograms[] = {".cnc", ".eia", ".gcode", ".h",   ".iso", ".min",
                                             ".mpf", ".nc",  ".ngc",   ".ptp", ".spf", ".tap"};
 
-// Returns the ending in small letters, without the number of a version: Creo writes "op10.ncl.1".
+// Returns the ending in small letters, without a version.
 std::string ending_of(const fs::path& file) {
-  const std::string last = file.extension().string();
-  const bool is_version = last.size() > 1 && last.find_first_not_of("0123456789", 1) == std::string::npos;
-  return in_small_letters((is_version ? file.stem().extension().string() : last));
+  const std::string ending = split_toolpath_name(file.string()).ending;
+  return in_small_letters(ending.substr(0, ending.find('.', 1)));
 }
 
 template <std::size_t count>
@@ -95,7 +95,7 @@ std::string listed_endings(const std::string_view (&known)[count]) {
 
 // Returns the stem after the names of its last folders: "rough-op10" for "parts/rough/op10.apt" and one folder.
 std::string name_with_folders(const fs::path& file, std::size_t folders) {
-  std::string name = file.stem().string();
+  std::string name = split_toolpath_name(file.string()).stem;
   for (fs::path at = file.parent_path(); folders > 0 && at.has_filename(); --folders, at = at.parent_path())
     name = at.filename().string() + "-" + name;
   return name;
@@ -147,7 +147,7 @@ Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& 
 
 std::vector<std::string> names_of_toolpaths(const std::vector<std::string>& paths) {
   std::map<std::string, std::vector<std::size_t>> of_stem;
-  for (std::size_t k = 0; k < paths.size(); ++k) of_stem[fs::path(paths[k]).stem().string()].push_back(k);
+  for (std::size_t k = 0; k < paths.size(); ++k) of_stem[split_toolpath_name(paths[k]).stem].push_back(k);
   std::vector<std::string> names(paths.size());
   for (const auto& [stem, places] : of_stem) {
     std::vector<fs::path> files;

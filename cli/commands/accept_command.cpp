@@ -147,11 +147,13 @@ void list(const StoredResult& result, std::ostream& out) {
 /// Returns the existing entries of the file; none if there is no file.
 Result<std::vector<Acceptance>> read_existing(const std::string& file, const InputLimit& limit) {
   std::error_code ignored;
-  if (!fs::exists(fs::symlink_status(file, ignored))) return std::vector<Acceptance>();
+  // A link to a file that does not exist yet is none either: the file is written there.
+  if (!fs::exists(file, ignored) && !ignored) return std::vector<Acceptance>();
   if (fs::is_fifo(fs::status(file, ignored)))
     return make_error("accepted-format", "is a pipe; expected a file that accepted findings can be added to", file);
   const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
+  if (bytes->empty()) return std::vector<Acceptance>();
   return read_accepted(file, *bytes);
 }
 

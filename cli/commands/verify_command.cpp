@@ -178,8 +178,8 @@ Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& res
     if (!file) {
       Diagnostic error = file.error();
       if (error.code == "file-not-found")
-        error.message +=
-            ", nor in the folder of the result or in one above it; expected the " + input.role + " that was checked";
+        error.message = "there is no such file, nor in the folder of the result or in one above it; expected the " +
+                        input.role + " that was checked";
       return error;
     }
     if ("sha256:" + sha256_of(file->bytes) == input.checksum) continue;

@@ -81,7 +81,7 @@ class ProgramReader {
     }
     const std::vector<std::string> no_names;
     Result<ResolvedTools> resolved =
-        resolve_tools(program.path, library ? &*library : nullptr, no_names, arguments_.holder);
+        resolve_tools(program.path, library ? &*library : nullptr, no_names, arguments_.holder, ToolUse::removes_stock);
     if (!resolved) return fail(resolved.error());
     if (std::ranges::none_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); }))
       return fail(make_error("no-tool",

@@ -205,7 +205,8 @@ class JobLoader {
       add_notes(library->notes);
     }
     Result<ResolvedTools> resolved =
-        resolve_tools(job_.toolpath, library ? &*library : nullptr, arguments_.tool_names, arguments_.holder);
+        resolve_tools(job_.toolpath, library ? &*library : nullptr, arguments_.tool_names, arguments_.holder,
+                      arguments_.stock.empty() ? ToolUse::finds_gouges : ToolUse::removes_stock);
     if (!resolved) return errors_.push_back(resolved.error());
     const bool is_any_defined =
         std::ranges::any_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); });

@@ -150,6 +150,10 @@ Path with_joints(const Path& path, const PathMachine& machine) {
   return PathAccess::with_origin_of(path, joints_added(path.content().path, machine));
 }
 
+gouge::ToolUse use_of_tools(const CheckOptions& options) {
+  return options.stock ? gouge::ToolUse::removes_stock : gouge::ToolUse::finds_gouges;
+}
+
 CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
                       const CheckOptions& options, UnderstoodCheck understood) {
   gouge::SetupBasis basis = basis_of(scene, *tools, options);
@@ -255,7 +259,7 @@ CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, cons
   tools->variants.assign(toolpath.tools.size(), compile(assembly, understood.options, has_wide));
   tools->facts.assign(toolpath.tools.size(), facts_of(assembly));
   tools->assemblies.assign(toolpath.tools.size(), assembly);
-  tools->assumptions = value_or_raise(gouge::resolve_given(toolpath, assembly)).assumptions;
+  tools->assumptions = value_or_raise(gouge::resolve_given(toolpath, assembly, use_of_tools(options))).assumptions;
   return completed(std::move(named), scene, std::move(tools), options, std::move(understood));
 }
 
@@ -264,7 +268,7 @@ CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& lib
   UnderstoodCheck understood = understand(options);
   const gouge::ToolLibrary* const given =
       library.content().library.tools.empty() ? nullptr : &library.content().library;
-  gouge::ResolvedTools resolved = value_or_raise(gouge::resolve_tools(toolpath, given, {}, {}));
+  gouge::ResolvedTools resolved = value_or_raise(gouge::resolve_tools(toolpath, given, {}, {}, use_of_tools(options)));
   auto tools = std::make_shared<PathTools>();
   for (const auto& assembly : resolved.assemblies) {
     tools->variants.emplace_back();

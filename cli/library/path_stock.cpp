@@ -75,8 +75,10 @@ class StockMaker {
     place(stated, program.path);
     const std::string& name = program.path.file;
     gouge::ResolvedTools resolved = value_or_raise(
-        library != nullptr ? gouge::resolve_tools(program.path, &library->content().library, {}, {})
-                           : gouge::resolve_given(program.path, std::get<Tool>(stated.tools).content().assembly));
+        library != nullptr
+            ? gouge::resolve_tools(program.path, &library->content().library, {}, {}, gouge::ToolUse::removes_stock)
+            : gouge::resolve_given(program.path, std::get<Tool>(stated.tools).content().assembly,
+                                   gouge::ToolUse::removes_stock));
     if (std::ranges::none_of(resolved.assemblies, [](const auto& assembly) { return assembly.has_value(); }))
       raise(gouge::make_error("no-tool",
                               "no tool of this program is defined, so what it removed is not known; expected one of "

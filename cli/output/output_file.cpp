@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 
+#include "cli/output/report_folder.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
@@ -88,6 +89,14 @@ Outcome write_output(const std::string& file, std::string_view bytes, std::ostre
   return pending.commit(out);
 }
 
+ToolpathName split_toolpath_name(const std::string& file) {
+  const std::filesystem::path name = std::filesystem::path(file).filename(), stem = name.stem();
+  const std::string last = name.extension().string();
+  const bool is_version = last.size() > 1 && last.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (!is_version || !stem.has_extension()) return {stem.string(), last};
+  return {stem.stem().string(), stem.extension().string() + last};
+}
+
 Diagnostics find_unwritable(const OutputTable& outputs) {
   Diagnostics errors;
   for (const Output& output : outputs) {
@@ -104,9 +113,27 @@ Diagnostics find_unwritable(const OutputTable& outputs) {
   return errors;
 }
 
+namespace {
+
+/// Returns the error for an output that would replace a file of a report or of a batch: it would be locked then, as none of
+/// its runs wrote that file.
+std::optional<Diagnostic> find_kept_file(const OutputTable& outputs) {
+  for (const Output& output : outputs) {
+    if (output.kind == Output::Kind::report_folder || output.file == "-") continue;
+    const std::string folder = folder_with_own_file(output.file);
+    if (!folder.empty())
+      return make_error("usage", output.option + " '" + output.file + "' is a file of the report or the batch in " +
+                                     folder + ", where nothing else writes; name another file");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
                                   std::ostream& err) {
   std::optional<Diagnostic> wrong = find_overwriting(inputs, outputs);
+  if (!wrong) wrong = find_kept_file(outputs);
   if (const Result<bool> taken = is_stdout_taken(outputs); !taken) wrong = taken.error();
   if (wrong) return fail(err, {*wrong});
   const Diagnostics unwritable = find_unwritable(outputs);

@@ -37,6 +37,13 @@ class PendingOutputs {
 /// Writes one file in the manner of PendingOutputs.
 [[nodiscard]] Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out);
 
+/// The name of a toolpath file without its folder, in two parts.
+struct ToolpathName {
+  std::string stem, ending;  ///< "op10", ".ncl.1": Creo appends a version to the ending
+};
+
+[[nodiscard]] ToolpathName split_toolpath_name(const std::string& file);
+
 /// Finds errors that will prevent these outputs, as far as they are known before the work. The folder is missing or
 /// closed to us, a folder has the name of the file, or the existing file could not keep its owner and mode. The folder
 /// of a report may be missing if it can be made (code folder-unwritable). The name "-" is ignored. Creates and opens

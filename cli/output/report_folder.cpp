@@ -278,6 +278,18 @@ bool is_batch_folder(const std::string& name) {
   return std::filesystem::is_regular_file(std::filesystem::path(name) / kBatchSummaryName, ignored);
 }
 
+std::string folder_with_own_file(const std::string& file) {
+  std::error_code ignored;
+  const fs::path full = fs::weakly_canonical(file, ignored), folder = full.parent_path();
+  const std::string name = full.filename().string();
+  const bool is_batch = is_batch_folder(folder.string()) || is_interrupted_batch(folder.string());
+  if (is_batch && (has_name(names_of_batch(), name.c_str()) || name.starts_with(kBatchStoreName))) return folder.string();
+  const auto manifest = manifest_of((folder / kManifestName).string());
+  if (!manifest || !*manifest) return {};
+  const bool is_listed = std::ranges::any_of((*manifest)->files, [&](const auto& entry) { return entry.name == name; });
+  return is_listed || name == kManifestName ? folder.string() : std::string();
+}
+
 std::string batch_of_report(const std::string& folder) {
   std::error_code ignored;
   const fs::path full = fs::weakly_canonical(folder, ignored);

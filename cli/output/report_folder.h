@@ -61,6 +61,8 @@ struct ReportManifest {
 [[nodiscard]] bool is_batch_folder(const std::string& name);
 /// Returns whether a name is that of the folder of a batch that was interrupted: it has results, but no summary.
 [[nodiscard]] bool is_interrupted_batch(const std::string& name);
+/// Returns the folder of a file if that is the folder of a report or of a batch and the file is one of theirs; else empty.
+[[nodiscard]] std::string folder_with_own_file(const std::string& file);
 /// Returns the folder of the batch to whose jobs the folder of a report belongs; empty: to none.
 [[nodiscard]] std::string batch_of_report(const std::string& folder);
 /// The rest of a sentence that begins with the name of such a folder.

@@ -56,7 +56,7 @@ Diagnostic usage(const std::string& message) { return make_error("usage", messag
 
 class Resolver {
  public:
-  Resolver(const Toolpath& path, const ToolLibrary* library) : path_(path), library_(library) {}
+  Resolver(const Toolpath& path, const ToolLibrary* library, ToolUse use) : path_(path), library_(library), use_(use) {}
 
   std::optional<Diagnostic> take_name(const std::string& text) {
     const std::size_t equals = text.find('=');
@@ -264,7 +264,8 @@ class Resolver {
   }
 
   // Compares the tool of the library, which is checked, with that of the file. If it is smaller, a gouge of the file's
-  // tool could be missed; if it is larger, no gouge is missed.
+  // tool could be missed; if it is larger, no gouge is missed. A larger tool removes more stock, so it could miss a rapid
+  // into material.
   void compare(const PathTool& tool, const ToolAssembly& known) {
     const ToolAssembly* const named = tool.name.empty() ? nullptr : library_->with_name(tool.name);
     if (named != nullptr && named != &known && known.name != tool.name)
@@ -314,19 +315,27 @@ class Resolver {
     const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
     const bool has_angles = dialect_or_apt(path_.dialect).has_tool_angles;
     if (c.given < kWhole || (is_plain && !has_angles)) return;
+    const auto length = [&](double mm) {
+      return exact_text(std::round(mm / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
+    };
     const double reach = std::min(reach_mm(tool, known), reach_of_ball_mm(tool, known));
-    if (reach <= kReach_mm) return;
-    const std::string length =
-        exact_text(std::round(reach / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
-    contradict(name_of(tool) + " reaches up to " + length +
-               " farther from its axis by the toolpath than by the library, which is what is checked");
+    if (reach > kReach_mm)
+      return contradict(name_of(tool) + " reaches up to " + length(reach) +
+                        " farther from its axis by the toolpath than by the library, which is what is checked");
+    if (use_ != ToolUse::removes_stock) return;
+    const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
+    const double beyond = made ? reach_beyond_mm(known.cutter, made->tool.cutter) : 0;
+    if (beyond > kReach_mm)
+      contradict(name_of(tool) + " reaches up to " + length(beyond) +
+                 " farther from its axis by the library, which is what removes stock, than by the toolpath");
   }
 
   void report_difference(const PathTool& tool, const std::string& given, const std::string& known, bool is_smaller) {
     const std::string message =
         name_of(tool) + " is " + given + " by the toolpath but " + known + " by the library, which is what is checked";
-    if (is_smaller) return contradict(message);
-    result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
+    if (is_smaller || use_ == ToolUse::removes_stock) return contradict(message);
+    result_.notes.push_back(make_warning(
+        "tool-differs", message + "; correct the library or --tool if another tool is meant", path_.file, tool.line));
   }
 
   void contradict(const std::string& what) { contradiction_ += (contradiction_.empty() ? "" : "; ") + what; }
@@ -377,6 +386,7 @@ class Resolver {
 
   const Toolpath& path_;
   const ToolLibrary* library_;
+  ToolUse use_;
   std::map<std::string, const ToolAssembly*> named_;     // by key_of
   std::pair<std::string, const ToolAssembly*> unnamed_;  // the name of the tool for moves without one, and that tool
   const ToolAssembly* every_ = nullptr;  // the tool in place of all tools of the path; null: each has its own
@@ -391,8 +401,9 @@ class Resolver {
 }  // namespace
 
 Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
-                                    const std::vector<std::string>& tool_names, const std::string& holder) {
-  Resolver resolver(path, library);
+                                    const std::vector<std::string>& tool_names, const std::string& holder,
+                                    ToolUse use) {
+  Resolver resolver(path, library, use);
   for (const std::string& name : tool_names) {
     if (const auto error = resolver.take_name(name)) return *error;
   }
@@ -402,11 +413,11 @@ Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* lib
   return resolver.run();
 }
 
-Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool) {
+Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool, ToolUse use) {
   ToolLibrary library;
   library.file = "memory";
   library.tools = {tool};
-  Resolver resolver(path, &library);
+  Resolver resolver(path, &library, use);
   resolver.take_every(library.tools.front());
   return resolver.run();
 }

@@ -19,6 +19,12 @@ struct ResolvedTools {
   Assumptions assumptions;  ///< about the tool and the holder of each tool that has moves
 };
 
+/// What a larger tool than that of the path would hide.
+enum class ToolUse {
+  finds_gouges,  ///< nothing: it finds every gouge of the smaller one
+  removes_stock  ///< material that the smaller one leaves
+};
+
 /// Finds each tool of the path. It is the tool of `--tool N=NAME`, where N is its number or name, else the one in the
 /// library with its number, else the one with its name. Otherwise it is the tool that CUTTER or TLDATA in the path states. NAME may be a number of
 /// the library, 3 or T3. A tool of `--tool NAME` must be in the library; for other uses of the option see
@@ -26,13 +32,14 @@ struct ResolvedTools {
 ///
 /// The tool is contradicted if the one of the library is anywhere smaller than the definition in the path. It is also
 /// contradicted if its name belongs to another tool of the library, or if --tool names only tools that the path does not
-/// load.
+/// load. A tool that removes stock is also contradicted if it is anywhere larger.
 /// Errors   (1) usage: a --tool or --holder that names nothing. (2) Those of make_profile for a tool of the path.
 [[nodiscard]] Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
-                                                  const std::vector<std::string>& tool_names,
-                                                  const std::string& holder);
+                                                  const std::vector<std::string>& tool_names, const std::string& holder,
+                                                  ToolUse use = ToolUse::finds_gouges);
 
 /// Resolves a path in which `tool` takes the place of every tool.
-[[nodiscard]] Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool);
+[[nodiscard]] Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool,
+                                                  ToolUse use = ToolUse::finds_gouges);
 
 }  // namespace gouge

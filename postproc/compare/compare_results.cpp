@@ -63,6 +63,21 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   return all;
 }
 
+// Returns the facts that are open in the new run and not in the old one, a sentence each.
+std::vector<std::string> newly_open_facts(const StoredResult& before, const StoredResult& after) {
+  std::vector<std::string> all;
+  for (const Assumption& fact : after.record.assumptions) {
+    const auto was_open = [&](const Assumption& then) {
+      return then.is_open && then.subject == fact.subject && then.object == fact.object;
+    };
+    if (!fact.is_open || std::ranges::any_of(before.record.assumptions, was_open)) continue;
+    all.push_back("not established any more: " + std::string(subject_name(fact.subject)) +
+                  (fact.object.empty() ? "" : " " + fact.object) + " (" + basis_name(fact.basis) +
+                  "): " + fact.evidence);
+  }
+  return all;
+}
+
 constexpr double kAny_mm = std::numeric_limits<double>::infinity();
 
 /// Bounds of a depth: at least `low`, at most `high`.
@@ -114,6 +129,7 @@ class Comparer {
     for (const MoveRecord& move : after_.record.moves)
       open += move.state == MoveState::not_checked || move.state == MoveState::not_certified ? 1U : 0U;
     made.open_moves = open - std::min(open, after_.record.totals.left_out_as_asked);
+    made.open_facts = newly_open_facts(before_, after_);
     return made;
   }
 
@@ -242,7 +258,7 @@ std::size_t Comparison::count(Change change) const {
 
 ExitCode Comparison::exit_status() const {
   if (count(Change::fresh) + count(Change::deeper) > 0) return kExitGouges;
-  return count(Change::not_checked) + open_moves > 0 ? kExitNotChecked : kExitClean;
+  return count(Change::not_checked) + open_moves + open_facts.size() > 0 ? kExitNotChecked : kExitClean;
 }
 
 Comparison compare_results(const StoredResult& before, const StoredResult& after, const CompareOptions& options) {

@@ -30,10 +30,12 @@ struct Comparison {
   std::vector<std::string> differences;  ///< between the set-ups of both runs, a sentence each
   /// number of moves of the new run that are not checked, except those excluded on request
   std::size_t open_moves = 0;
+  /// facts on which the verdict of the new run rests, and which are open there and were not before, a sentence each
+  std::vector<std::string> open_facts = {};
 
   [[nodiscard]] std::size_t count(Change change) const;
-  /// Returns 1 if a finding is new or deeper. Else returns 4 if the new run left a finding unchecked or has open moves;
-  /// else 0.
+  /// Returns 1 if a finding is new or deeper. Else returns 4 if the new run left a finding unchecked, or has open moves or
+  /// newly open facts; else 0.
   [[nodiscard]] ExitCode exit_status() const;
 };
 

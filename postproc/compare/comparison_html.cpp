@@ -22,7 +22,7 @@ constexpr Section kSections[] = {{Change::fresh, "New", "bad"},
 
 // On a phone each finding is a block, with the names of its values.
 constexpr const char* kPhoneStyle = R"(
-@media screen and (max-width: 640px) {
+@media screen and (max-width: 960px) {
   td:nth-child(1)::before { content: "No. before "; } td:nth-child(2)::before { content: "now "; }
   td:nth-child(3) { grid-column: 1 / -1; } td:nth-child(3)::before { content: "Line "; }
   td:nth-child(4)::before { content: "Depth before "; } td:nth-child(5)::before { content: "now "; }

@@ -47,6 +47,12 @@ Json findings_json(const StoredResult& result, const std::vector<std::size_t>& f
   return all;
 }
 
+Json valid_utf8_texts(const std::vector<std::string>& texts) {
+  Json all = Json::array();
+  for (const std::string& text : texts) all.push_back(valid_utf8(text));
+  return all;
+}
+
 }  // namespace
 
 Json comparison_object(const Comparison& c) {
@@ -69,6 +75,7 @@ Json comparison_object(const Comparison& c) {
           {"after", run_json(*c.after)},
           {"differences", c.differences},
           {"open_moves", c.open_moves},
+          {"open_facts", valid_utf8_texts(c.open_facts)},
           {"counts", std::move(counts)},
           {"findings", std::move(findings)}};
 }

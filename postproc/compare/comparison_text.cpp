@@ -82,7 +82,8 @@ std::string comparison_verdict(const Comparison& comparison) {
 }
 
 std::vector<std::string> comparison_notes(const Comparison& comparison) {
-  std::vector<std::string> all = comparison.differences;
+  std::vector<std::string> all = comparison.open_facts;
+  all.insert(all.end(), comparison.differences.begin(), comparison.differences.end());
   if (comparison.open_moves > 0)
     all.push_back(count_text(comparison.open_moves, "move") +
                   " of the new run not checked or not certified: nothing is said of what may be new there");

@@ -23,6 +23,11 @@ TEST(NamesOfToolpaths, GetTheEndingOrTheFoldersThatDiffer) {
   EXPECT_EQ(names_of_toolpaths({"x/a/op.apt", "y/a/op.apt"}), (Names{"x-a-op", "y-a-op"}));
 }
 
+TEST(NamesOfToolpaths, LeaveOutTheVersionsOfCreo) {
+  EXPECT_EQ(names_of_toolpaths({"a/op10.ncl.1", "b/op20.apt"}), (Names{"op10", "op20"}));
+  EXPECT_EQ(names_of_toolpaths({"op10.ncl.1", "op10.ncl.2"}), (Names{"op10.ncl.1", "op10.ncl.2"}));
+}
+
 TEST(NamesOfToolpaths, StayEqualForOneFileGivenTwice) {
   EXPECT_EQ(names_of_toolpaths({"op.apt", "./op.apt"}), (Names{"op.apt", "op.apt"}));
 }

@@ -417,6 +417,16 @@ TEST_F(Accept, ANumberGivenTwiceIsRefused) {
   EXPECT_NE(ran.err.find("--finding names finding 1 twice"), std::string::npos) << ran.err;
 }
 
+TEST_F(Accept, WritesThroughALinkToANewFileAndIntoAnEmptyOne) {
+  ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
+  ASSERT_EQ(shop_.run_script("mkdir kept; ln -s kept/new.json accepted.json").exit_status, 0);
+  EXPECT_EQ(accept("a.json", "1").exit_status, 0);
+  EXPECT_EQ(shop_.json("kept/new.json").at("accepted").size(), 1U);
+  ASSERT_EQ(shop_.run_script("rm accepted.json; touch accepted.json").exit_status, 0);
+  EXPECT_EQ(accept("a.json", "1").exit_status, 0);
+  EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), 1U);
+}
+
 TEST_F(Accept, ARangeNamesEachOfItsFindings) {
   ASSERT_EQ(shop_.check("a", path_text(stations({{20, -0.1}, {50, -0.1}, {80, -0.1}}))).exit_status, 1);
   ASSERT_EQ(accept("a.json", "3,1-2").exit_status, 0);

@@ -194,7 +194,10 @@ TEST(Batch, KeepsItsFilesFromOutputsOfCommandsThatReadIt) {
         {"compare", "out", "out", "--json", "out/results.sqlite"},
         {"accept", "out", "--all", "--reason", "x", "--by", "y", "-o", "out/summary.json"},
         {"check", "path.apt", "--part", "part.stl", "--report", "out/reports/needles"},
-        {"check", "path.apt", "--part", "part.stl", "--report", "out/reports/new/of"}}) {
+        {"check", "path.apt", "--part", "part.stl", "--report", "out/reports/new/of"},
+        {"check", "path.apt", "--part", "part.stl", "--csv", "out/summary.csv"},
+        {"check", "path.apt", "--part", "part.stl", "--json", "out/reports/needles/manifest.json"},
+        {"check", "path.apt", "--part", "part.stl", "--csv", "out/reports/needles/moves.csv"}}) {
     write_text(folder + "/path.apt", "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,50\nFINI\n");
     fs::copy_file(folder + "/needles/part.stl", folder + "/part.stl", fs::copy_options::overwrite_existing);
     EXPECT_EQ(run_gougecheck(folder, words).exit_status, 2) << words[0] << " " << words.back();
@@ -202,6 +205,7 @@ TEST(Batch, KeepsItsFilesFromOutputsOfCommandsThatReadIt) {
   EXPECT_EQ(text_of(folder + "/out/summary.json"), summary);
   EXPECT_EQ(text_of(report + "/result.json"), result);
   EXPECT_FALSE(fs::exists(folder + "/out/reports/new"));
+  EXPECT_EQ(run_batch(folder, {"jobs.json", "-o", "out"}).exit_status, 0) << "the folder is as it was";
 }
 
 TEST(Batch, OfTwoInOneFolderTheSecondIsRefused) {

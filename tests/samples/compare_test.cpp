@@ -216,6 +216,19 @@ TEST_F(Compare, ReadingsOfAPathAreComparedAsJson) {
   EXPECT_EQ(shop_.read("a.apt"), feeds);
 }
 
+TEST_F(Compare, AFactThatIsNotEstablishedAnyMoreIsNeverNoWorse) {
+  const std::string text = path_text(stations({{40, -0.2}}));
+  ASSERT_EQ(shop_.check("a", text).exit_status, 1);
+  ASSERT_EQ(shop_.check("b", text, {"--place", "0,0,-300"}).exit_status, 4);
+  const Outcome ran = shop_.run({"compare", "a.json", "b.json", "--json", "c.json"});
+  EXPECT_EQ(ran.exit_status, 4) << ran.out;
+  EXPECT_NE(ran.out.find("note: not established any more: placement (contradicted): no move reaches the part"),
+            std::string::npos)
+      << ran.out;
+  EXPECT_EQ(shop_.json("c.json").at("open_facts").size(), 1U);
+  EXPECT_EQ(shop_.run({"compare", "b.json", "b.json"}).exit_status, 0) << "it was open before";
+}
+
 TEST_F(Compare, NamesTheOptionForToolpaths) {
   shop_.write("a.apt", path_text(stations()));
   const Outcome ran = shop_.run({"compare", "a.apt", "a.apt"});

@@ -99,7 +99,8 @@ std::size_t AxisState::numbers_per_point() {
   }
   if (is_list && !is_multax_on() && count > 6 && count % 3 == 0) return 3;
   if (is_list && may_have_normals()) return 3;
-  in_.fail("path-count", in_.major() + " has " + std::to_string(count) + " numbers; " + kPositionForm);
+  in_.fail("path-count",
+           in_.major() + " has " + std::to_string(count) + " numbers; " + kPositionForm + in_.comma_hint());
   return 0;
 }
 
@@ -168,7 +169,7 @@ std::optional<Vec3> AxisState::read(std::size_t first) {
   const double error = std::abs(length - 1);
   if (!(error <= Tolerance::kUnitVectorError)) {
     in_.fail("path-axis", in_.major() + ": the tool axis has length " + fixed_text(length, 6) +
-                              "; expected a unit vector i,j,k (length 1 within 0.001)");
+                              "; expected a unit vector i,j,k (length 1 within 0.001)" + in_.comma_hint());
     return std::nullopt;
   }
   if (error > Tolerance::kFileAxis) {

@@ -51,7 +51,7 @@ std::optional<Vec3> FrameState::read_tip(std::size_t first) {
   const Vec3 tip = in_.vector(first) * mm_per_unit_;
   if (tip.cwiseAbs().maxCoeff() <= kFarthest_mm) return tip;
   in_.fail("path-range", in_.major() + ": a coordinate is beyond " + fixed_text(kFarthest_mm, 0) +
-                             " mm; expected a position within a machine");
+                             " mm; expected a position within a machine" + in_.comma_hint());
   return std::nullopt;
 }
 

@@ -50,10 +50,14 @@ TEST(ResolveTools, ReportsADifferenceRoundedAndInThePathsUnit) {
     EXPECT_TRUE(resolved.has_value());
     return resolved->notes.at(0).message;
   };
-  EXPECT_EQ(reported(LengthUnit::mm),
-            "T2 is D 0.75 R 0 mm by the toolpath but D 19.05 R 0 mm by the library, which is what is checked");
-  EXPECT_EQ(reported(LengthUnit::inch),
-            "T2 is D 0.029528 R 0 in by the toolpath but D 0.75 R 0 in by the library, which is what is checked");
+  EXPECT_EQ(
+      reported(LengthUnit::mm),
+      "T2 is D 0.75 R 0 mm by the toolpath but D 19.05 R 0 mm by the library, which is what is checked; correct the "
+      "library or --tool if another tool is meant");
+  EXPECT_EQ(
+      reported(LengthUnit::inch),
+      "T2 is D 0.029528 R 0 in by the toolpath but D 0.75 R 0 in by the library, which is what is checked; correct the "
+      "library or --tool if another tool is meant");
 }
 
 /// The differences reported of the tools of `text`, for a library whose T1 is a flat cutter of 10 mm.
@@ -118,9 +122,10 @@ TEST(ResolveTools, AToolOfTheSameSizeThatReachesFartherOutIsReported) {
 
 TEST(ResolveTools, ALargerToolOfTheLibraryIsReportedAndContradictsNothing) {
   const std::string path = "UNITS/MM\nCUTTER/8\nLOADTL/1\nGOTO/0,0,5\nFINI\n";
-  EXPECT_EQ(differences(path),
-            (std::vector<std::string>{"test.ncl:2: warning: T1 is D 8 R 0 mm by the toolpath but D 10 R 0 mm by the "
-                                      "library, which is what is checked [tool-differs]"}));
+  EXPECT_EQ(differences(path), (std::vector<std::string>{
+                                   "test.ncl:2: warning: T1 is D 8 R 0 mm by the toolpath but D 10 R 0 mm by the "
+                                   "library, which is what is checked; correct the library or --tool if another tool "
+                                   "is meant [tool-differs]"}));
 }
 
 TEST(ResolveTools, ABallOfTheSameDiameterIsSmallerThanAFlatCutter) {
@@ -153,6 +158,23 @@ TEST(ResolveTools, AToolNameForNumbersThatThePathDoesNotLoadIsContradicted) {
   EXPECT_FALSE(contradicted({"5=2"}));
   EXPECT_FALSE(contradicted({"5=2", "15=2"})) << "one list of names may serve many toolpaths";
   EXPECT_FALSE(contradicted({}));
+}
+
+TEST(ResolveTools, AToolThatRemovesMoreStockThanThatOfThePathIsContradicted) {
+  ToolLibrary library;
+  ToolAssembly tool;
+  tool.number = 1;
+  library.tools.push_back(tool);
+  const ReadOutcome read = read_toolpath("t.apt", "UNITS/MM\nCUTTER/10,0,5,0,0,0,30\nLOADTL/1\nGOTO/0,0,5\nFINI\n");
+  ASSERT_TRUE(read.toolpath.has_value());
+  const auto basis = [&](const Cutter& cutter, ToolUse use) {
+    library.tools.front().cutter = cutter;
+    return resolve_tools(*read.toolpath, &library, {}, "", use)->assumptions.front().basis;
+  };
+  EXPECT_EQ(basis(FlatCutter{12, 30}, ToolUse::finds_gouges), Basis::derived);
+  EXPECT_EQ(basis(FlatCutter{12, 30}, ToolUse::removes_stock), Basis::contradicted);
+  EXPECT_EQ(basis(FlatCutter{10, 30}, ToolUse::removes_stock), Basis::derived);
+  EXPECT_EQ(basis(FlatCutter{8, 30}, ToolUse::removes_stock), Basis::contradicted);
 }
 
 TEST(ResolveTools, AToolForMovesWithoutOneIsContradictedWhereThereAreNone) {
