@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -213,9 +214,11 @@ std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments) {
 namespace {
 
 /// Returns whether a file is a program of a machine's control. Such a program needs facts to be read, and they would be
-/// asked for in vain. A file that cannot be read is none; standard input can be read only once.
+/// asked for in vain. A file that cannot be read is none; a pipe and standard input can be read only once.
 bool is_program(const std::string& file, const ReadOptions& reading, std::uint64_t max_bytes) {
-  const Result<FileView> view = file == "-" ? Result<FileView>(FileView{}) : view_file(file, max_bytes);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  const Result<FileView> view = view_file(file, max_bytes);
   return view && dialect_of(view->bytes, reading).id == gcode_dialect().id;
 }
 

@@ -73,7 +73,7 @@ std::vector<gouge::OptionText> recorded_options(const CheckedPath& checked) {
   if (path.facts && !path.facts->unit.empty()) all.push_back({"toolpath-units", path.facts->unit});
   if (path.facts && !path.facts->cutcom.empty()) all.push_back({"cutcom", path.facts->cutcom});
   if (const auto unit = unit_of_meshes(checked); unit && checked.basis.mesh_unit)
-    all.push_back({"stl-units", gouge::unit_name(*unit)});
+    all.push_back({"stl-units", std::string(gouge::facts_of(*unit).option)});
   if (checked.machine != nullptr)
     all.insert(all.end(), checked.machine->options.begin(), checked.machine->options.end());
   if (checked.stated_tube.tip_mm > 0)

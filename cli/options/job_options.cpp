@@ -338,6 +338,9 @@ Result<JobOptions> understand(const JobArguments& a) {
   JobOptions options;
   const Result<ReadOptions> reading = understand(a.reading);
   if (!reading) return reading.error();
+  // The command line knows the words; a result that `verify` repeats may have others.
+  if (!a.stl_units.empty() && !unit_called(a.stl_units))
+    return usage_error("--stl-units", a.stl_units, "one of " + listed(unit_words()));
   options.reading = *reading;
   for (const std::string& name : a.allowed_overlaps) {
     if (std::find(a.fixtures.begin(), a.fixtures.end(), name) == a.fixtures.end())

@@ -174,7 +174,12 @@ std::optional<Diagnostic> find_wrong_stock(const JobArguments& arguments) {
   if (const Result<StockOptions> options = understand_stock_options(arguments); !options) return options.error();
   for (const std::string& typed : arguments.before) {
     const BeforeText before = split_before(typed);
-    if (before.path.empty() || before.typed().size() != typed.size())
+    // A misspelt key, such as ,tool=, would be a part of the file's name.
+    std::error_code ignored;
+    const std::size_t comma = before.path.rfind(',');
+    const bool has_key = comma != std::string::npos && before.path.find('=', comma) != std::string::npos &&
+                         !std::filesystem::exists(before.path, ignored);
+    if (before.path.empty() || has_key || before.typed().size() != typed.size())
       return usage_error("--before", typed, "FILE, FILE,tools=FILE or FILE,tools=FILE,place=X,Y,Z[,RX,RY,RZ]");
     if (before.place.empty()) continue;
     if (const auto place = understand_place("--before", before.place); !place) return place.error();

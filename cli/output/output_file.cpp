@@ -117,10 +117,11 @@ namespace {
 
 /// Returns the error for an output that would replace a file of a report or of a batch: it would be locked then, as none of
 /// its runs wrote that file.
-std::optional<Diagnostic> find_kept_file(const OutputTable& outputs) {
+std::optional<Diagnostic> find_kept_file(const OutputTable& outputs, bool is_of_batch) {
   for (const Output& output : outputs) {
     if (output.kind == Output::Kind::report_folder || output.file == "-") continue;
-    const std::string folder = folder_with_own_file(output.file);
+    std::string folder = folder_with_own_file(output.file);
+    if (folder.empty() && !is_of_batch) folder = batch_of_corrected(output.file);
     if (!folder.empty())
       return make_error("usage", output.option + " '" + output.file + "' is a file of the report or the batch in " +
                                      folder + ", where nothing else writes; name another file");
@@ -130,10 +131,10 @@ std::optional<Diagnostic> find_kept_file(const OutputTable& outputs) {
 
 }  // namespace
 
-std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
-                                  std::ostream& err) {
+std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs, std::ostream& err,
+                                  bool is_of_batch) {
   std::optional<Diagnostic> wrong = find_overwriting(inputs, outputs);
-  if (!wrong) wrong = find_kept_file(outputs);
+  if (!wrong) wrong = find_kept_file(outputs, is_of_batch);
   if (const Result<bool> taken = is_stdout_taken(outputs); !taken) wrong = taken.error();
   if (wrong) return fail(err, {*wrong});
   const Diagnostics unwritable = find_unwritable(outputs);

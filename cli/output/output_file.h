@@ -51,9 +51,10 @@ struct ToolpathName {
 [[nodiscard]] Diagnostics find_unwritable(const OutputTable& outputs);
 
 /// Finds errors in a command's outputs before its work. Two outputs are for standard output, one is an input or another
-/// output, or one cannot be written. Prints the error and returns the exit status; returns none if there is no error.
+/// output, one is a file of a report or of a batch, or one cannot be written. A job of a batch (`is_of_batch`) writes its
+/// corrected toolpath into that batch. Prints the error and returns the exit status; returns none if there is no error.
 [[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
-                                                std::ostream& err);
+                                                std::ostream& err, bool is_of_batch = false);
 
 /// Returns whether the picture `file` is an SVG; else it is a PNG. Error (code usage) for an ending other than .svg and
 /// .png, in upper or lower case.

@@ -59,7 +59,8 @@ JobOutputs::JobOutputs(const JobArguments& arguments, const std::string& correct
 }
 
 std::optional<int> JobOutputs::refuse(std::ostream& err) {
-  if (const auto status = refuse_outputs(inputs_of(arguments_), outputs_, err)) return status;
+  if (const auto status = refuse_outputs(inputs_of(arguments_), outputs_, err, !arguments_.batch_job.empty()))
+    return status;
   if (!report_) return std::nullopt;
   const std::string batch = arguments_.batch_job.empty() ? batch_of_report(report_folder_of(outputs_)) : std::string();
   if (!batch.empty() && !arguments_.is_forced)

@@ -283,22 +283,32 @@ std::string folder_with_own_file(const std::string& file) {
   const fs::path full = fs::weakly_canonical(file, ignored), folder = full.parent_path();
   const std::string name = full.filename().string();
   const bool is_batch = is_batch_folder(folder.string()) || is_interrupted_batch(folder.string());
-  if (is_batch && (has_name(names_of_batch(), name.c_str()) || name.starts_with(kBatchStoreName))) return folder.string();
+  if (is_batch && (has_name(names_of_batch(), name.c_str()) || name.starts_with(kBatchStoreName)))
+    return folder.string();
   const auto manifest = manifest_of((folder / kManifestName).string());
   if (!manifest || !*manifest) return {};
   const bool is_listed = std::ranges::any_of((*manifest)->files, [&](const auto& entry) { return entry.name == name; });
   return is_listed || name == kManifestName ? folder.string() : std::string();
 }
 
-std::string batch_of_report(const std::string& folder) {
+namespace {
+
+/// Returns the folder of the batch below whose folder `part` a file or folder is; else empty.
+std::string batch_above(const std::string& name, const char* part) {
   std::error_code ignored;
-  const fs::path full = fs::weakly_canonical(folder, ignored);
+  const fs::path full = fs::weakly_canonical(name, ignored);
   for (fs::path above = full.parent_path(); above != above.parent_path(); above = above.parent_path()) {
     const bool is_batch = is_batch_folder(above.string()) || is_interrupted_batch(above.string());
-    if (is_batch && *full.lexically_relative(above).begin() == kReportsFolder) return above.string();
+    if (is_batch && *full.lexically_relative(above).begin() == part) return above.string();
   }
   return {};
 }
+
+}  // namespace
+
+std::string batch_of_report(const std::string& folder) { return batch_above(folder, kReportsFolder); }
+
+std::string batch_of_corrected(const std::string& file) { return batch_above(file, kCorrectedFolder); }
 
 bool is_interrupted_batch(const std::string& name) {
   std::error_code ignored;

@@ -22,6 +22,8 @@ inline constexpr const char* kBatchSummaryName = "summary.json";
 inline constexpr const char* kBatchStoreName = "results.sqlite";
 /// Folder of the reports of the jobs in the folder of a batch.
 inline constexpr const char* kReportsFolder = "reports";
+/// Folder of the corrected toolpaths there.
+inline constexpr const char* kCorrectedFolder = "corrected";
 
 /// A content that a file of the report may have.
 struct ManifestEntry {
@@ -63,6 +65,8 @@ struct ReportManifest {
 [[nodiscard]] bool is_interrupted_batch(const std::string& name);
 /// Returns the folder of a file if that is the folder of a report or of a batch and the file is one of theirs; else empty.
 [[nodiscard]] std::string folder_with_own_file(const std::string& file);
+/// Returns the folder of the batch among whose corrected toolpaths a file is, or would be; else empty.
+[[nodiscard]] std::string batch_of_corrected(const std::string& file);
 /// Returns the folder of the batch to whose jobs the folder of a report belongs; empty: to none.
 [[nodiscard]] std::string batch_of_report(const std::string& folder);
 /// The rest of a sentence that begins with the name of such a folder.

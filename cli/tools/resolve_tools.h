@@ -19,7 +19,7 @@ struct ResolvedTools {
   Assumptions assumptions;  ///< about the tool and the holder of each tool that has moves
 };
 
-/// What a larger tool than that of the path would hide.
+/// Use of a tool, by which it matters whether it is larger than that of the path.
 enum class ToolUse {
   finds_gouges,  ///< nothing: it finds every gouge of the smaller one
   removes_stock  ///< material that the smaller one leaves

@@ -45,7 +45,19 @@ Assumption mesh_unit_fact(const Toolpath& path, const CheckSetup& setup, const C
   return fact;
 }
 
+/// Returns whether the path cuts, and none of its cuts was checked: where they are is not known then.
+bool are_all_cuts_unknown(const Toolpath& path, const CheckResult& result) {
+  std::size_t cuts = 0, checked = 0;
+  for (std::size_t i = 0; i < path.moves.size() && i < result.verdicts.size(); ++i) {
+    if (path.moves[i].kind == MoveKind::rapid) continue;
+    ++cuts;
+    checked += result.verdicts[i].state != MoveState::not_checked ? 1U : 0U;
+  }
+  return cuts > 0 && checked == 0;
+}
+
 std::optional<std::string> find_misplacement(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
+  if (are_all_cuts_unknown(path, result)) return std::nullopt;
   if (auto gap = find_gap(path, *setup.scene.scene, setup.scene.workpiece_tree(), reach_of_tools_mm(setup.tools)))
     return gap;
   if (!result.closest_approach) return std::nullopt;

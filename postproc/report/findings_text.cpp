@@ -194,16 +194,25 @@ class FindingsWriter {
     const ListedFindings listed = list_events(model_, view_);
     for (const std::size_t k : listed.events) add(k);
     add_rest(listed);
-    for (const ReasonGroup& group : group_reasons(*model_.result)) {
-      add(*model_.toolpath, model_.toolpath->moves[group.first_move].line, group_text(group), Paint::warning);
-      add_statement(group.first_move);
-    }
+    add_reasons();
     add_excess();
     if (model_.has_correction) add_uncorrected();
     return std::move(text_);
   }
 
  private:
+  void add_reasons() {
+    const std::vector<ReasonGroup> groups = group_reasons(*model_.result);
+    const std::size_t most = std::min(groups.size(), view_.most);
+    for (std::size_t k = 0; k < most; ++k) {
+      add(*model_.toolpath, model_.toolpath->moves[groups[k].first_move].line, group_text(groups[k]), Paint::warning);
+      add_statement(groups[k].first_move);
+    }
+    if (most < groups.size())
+      text_ += "and " + grouped_text(groups.size() - most) +
+               " more reasons why moves are open (--max-findings all lists them)\n";
+  }
+
   // Adds a line; the word before the first colon of `what` is its kind.
   void add(const Toolpath& path, std::size_t at, const std::string& what, Paint paint) {
     const std::string shown = printable(what);

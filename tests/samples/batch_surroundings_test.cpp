@@ -196,6 +196,7 @@ TEST(Batch, KeepsItsFilesFromOutputsOfCommandsThatReadIt) {
         {"check", "path.apt", "--part", "part.stl", "--report", "out/reports/needles"},
         {"check", "path.apt", "--part", "part.stl", "--report", "out/reports/new/of"},
         {"check", "path.apt", "--part", "part.stl", "--csv", "out/summary.csv"},
+        {"correct", "path.apt", "--part", "part.stl", "-o", "out/corrected/needles.apt"},
         {"check", "path.apt", "--part", "part.stl", "--json", "out/reports/needles/manifest.json"},
         {"check", "path.apt", "--part", "part.stl", "--csv", "out/reports/needles/moves.csv"}}) {
     write_text(folder + "/path.apt", "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,50\nFINI\n");
