@@ -1,29 +1,17 @@
 #include "cli/tools/resolve_tools.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "lib/base/number_text.h"
-#include "lib/base/tolerance.h"
-#include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/draw_profile.h"
 #include "toolmodels/from_path.h"
-#include "toolmodels/silhouette.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kReach_mm = 5e-3;
-
-std::string name_of(const PathTool& tool) {
-  if (tool.number) return "T" + std::to_string(*tool.number);
-  return tool.name.empty() ? "the tool" : "tool \"" + tool.name + "\"";
-}
 
 std::string names_in(const ToolLibrary& library) {
   std::vector<std::string> names;
@@ -39,17 +27,6 @@ std::string describe(const ToolAssembly& tool, LengthUnit unit) {
   for (const ToolSegment& s : tool.holder) widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
   if (widest > 0) text += ", holder to D " + length_text(widest, unit);
   return text;
-}
-
-// Rounds to a millionth: finer than a difference that counts, coarser than the rounding of a change of unit.
-std::string rounded_text(double mm, LengthUnit unit) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); }
-
-std::string size_text(double diameter_mm, double corner_mm, LengthUnit unit) {
-  return "D " + rounded_text(diameter_mm, unit) + " R " + rounded_text(corner_mm, unit) + " " + unit_name(unit);
-}
-
-std::string size_text(double diameter_mm, LengthUnit unit) {
-  return "D " + rounded_text(diameter_mm, unit) + " " + unit_name(unit);
 }
 
 Diagnostic usage(const std::string& message) { return make_error("usage", message); }
@@ -217,7 +194,9 @@ class Resolver {
       basis_ = is_named(tool) ? Basis::stated : Basis::derived;
       assembly = *known;
       if (assembly->holder.empty()) assembly->holder = holder_;
-      compare(tool, *known);
+      ToolDifference difference = compare_tools(tool, *known, path_, {*library_, holder_, use_});
+      if (!difference.contradiction.empty()) contradict(difference.contradiction);
+      std::ranges::move(difference.warnings, std::back_inserter(result_.notes));
       mark_library_uncertain(tool, *known);
     } else if (tool.cutter) {
       note_not_in_library(tool);
@@ -261,81 +240,6 @@ class Resolver {
     else if (!known.uncertainty.empty())
       uncertainty_ = name_of(tool) + ": " + known.uncertainty;
     if (!uncertainty_.empty()) basis_ = Basis::unknown;
-  }
-
-  // Compares the tool of the library, which is checked, with that of the file. If it is smaller, a gouge of the file's
-  // tool could be missed; if it is larger, no gouge is missed. A larger tool removes more stock, so it could miss a rapid
-  // into material.
-  void compare(const PathTool& tool, const ToolAssembly& known) {
-    const ToolAssembly* const named = tool.name.empty() ? nullptr : library_->with_name(tool.name);
-    if (named != nullptr && named != &known && known.name != tool.name)
-      report_difference(tool, "called " + tool.name, known.name.empty() ? "not" : known.name, true);
-    const auto [diameter, corner] = nominal_size(known.cutter);
-    if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
-      return report_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit),
-                               diameter < tool.stated_diameter_mm);
-    }
-    if (!tool.cutter || tool.cutter->given == 0) return;
-    const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
-    if (std::abs(diameter - tool.cutter->d_mm) <= Tolerance::kFilePoint_mm &&
-        std::abs(corner - given_corner) <= Tolerance::kFilePoint_mm)
-      return compare_outlines(tool, known);
-    const bool is_round = tool.cutter->given > 1;
-    const bool is_smaller =
-        diameter < tool.cutter->d_mm - Tolerance::kFilePoint_mm || (is_round && reach_mm(tool, known) > kReach_mm);
-    report_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
-                      size_text(diameter, corner, path_.unit), is_smaller);
-  }
-
-  // Returns the distance by which the file's tool reaches out of the library's tool.
-  [[nodiscard]] double reach_mm(const PathTool& tool, const ToolAssembly& known) const {
-    const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
-    return made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
-  }
-
-  // Returns that distance for a tapered ball. Its diameter may be that of the ball, or the one at which its flank meets
-  // the tip plane. This function assumes that the file's diameter is that of the ball.
-  [[nodiscard]] double reach_of_ball_mm(const PathTool& tool, const ToolAssembly& known) const {
-    constexpr double kBall_mm = 1e-4;
-    PathTool ball = tool;
-    CutterStatement& c = *ball.cutter;
-    if (std::abs(c.alpha_deg) > 0 || std::abs(2 * c.r_mm - c.d_mm) > kBall_mm)
-      return std::numeric_limits<double>::infinity();
-    const double flank = c.beta_deg * std::numbers::pi / 180;
-    c.d_mm = 2 * c.r_mm * (1 / std::cos(flank) - std::tan(flank));
-    c.e_mm = 0;
-    c.f_mm = c.r_mm;
-    return reach_mm(ball, known);
-  }
-
-  // Compares two tools of the same size, which may have another taper or tip.
-  void compare_outlines(const PathTool& tool, const ToolAssembly& known) {
-    constexpr int kWhole = 7;
-    const CutterStatement& c = *tool.cutter;
-    const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
-    const bool has_angles = dialect_or_apt(path_.dialect).has_tool_angles;
-    if (c.given < kWhole || (is_plain && !has_angles)) return;
-    const auto length = [&](double mm) {
-      return exact_text(std::round(mm / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
-    };
-    const double reach = std::min(reach_mm(tool, known), reach_of_ball_mm(tool, known));
-    if (reach > kReach_mm)
-      return contradict(name_of(tool) + " reaches up to " + length(reach) +
-                        " farther from its axis by the toolpath than by the library, which is what is checked");
-    if (use_ != ToolUse::removes_stock) return;
-    const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
-    const double beyond = made ? reach_beyond_mm(known.cutter, made->tool.cutter) : 0;
-    if (beyond > kReach_mm)
-      contradict(name_of(tool) + " reaches up to " + length(beyond) +
-                 " farther from its axis by the library, which is what removes stock, than by the toolpath");
-  }
-
-  void report_difference(const PathTool& tool, const std::string& given, const std::string& known, bool is_smaller) {
-    const std::string message =
-        name_of(tool) + " is " + given + " by the toolpath but " + known + " by the library, which is what is checked";
-    if (is_smaller || use_ == ToolUse::removes_stock) return contradict(message);
-    result_.notes.push_back(make_warning(
-        "tool-differs", message + "; correct the library or --tool if another tool is meant", path_.file, tool.line));
   }
 
   void contradict(const std::string& what) { contradiction_ += (contradiction_.empty() ? "" : "; ") + what; }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/tools/compare_tools.h"
 #include "lib/base/result.h"
 #include "lib/path/toolpath.h"
 #include "postproc/report/report_model.h"
@@ -17,12 +18,6 @@ struct ResolvedTools {
   std::vector<ToolFacts> facts;
   Diagnostics notes;
   Assumptions assumptions;  ///< about the tool and the holder of each tool that has moves
-};
-
-/// Use of a tool, by which it matters whether it is larger than that of the path.
-enum class ToolUse {
-  finds_gouges,  ///< nothing: it finds every gouge of the smaller one
-  removes_stock  ///< material that the smaller one leaves
 };
 
 /// Finds each tool of the path. It is the tool of `--tool N=NAME`, where N is its number or name, else the one in the

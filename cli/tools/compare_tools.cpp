@@ -1,0 +1,144 @@
+#include "cli/tools/compare_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
+#include "postproc/cldata/language/dialect.h"
+#include "toolmodels/from_path.h"
+#include "toolmodels/silhouette.h"
+
+namespace gouge {
+
+std::string name_of(const PathTool& tool) {
+  if (tool.number) return "T" + std::to_string(*tool.number);
+  return tool.name.empty() ? "the tool" : "tool \"" + tool.name + "\"";
+}
+
+namespace {
+
+constexpr double kReach_mm = 5e-3;
+
+// Rounds to a millionth: finer than a difference that counts, coarser than the rounding of a change of unit.
+std::string rounded_text(double mm, LengthUnit unit) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); }
+
+std::string size_text(double diameter_mm, double corner_mm, LengthUnit unit) {
+  return "D " + rounded_text(diameter_mm, unit) + " R " + rounded_text(corner_mm, unit) + " " + unit_name(unit);
+}
+
+std::string size_text(double diameter_mm, LengthUnit unit) {
+  return "D " + rounded_text(diameter_mm, unit) + " " + unit_name(unit);
+}
+
+class Comparer {
+ public:
+  Comparer(const PathTool& tool, const ToolAssembly& known, const Toolpath& path, const ToolSetUp& set_up)
+      : tool_(tool), known_(known), path_(path), set_up_(set_up) {}
+
+  ToolDifference run() {
+    compare();
+    return std::move(difference_);
+  }
+
+ private:
+  void compare() {
+    const ToolAssembly* const named = tool_.name.empty() ? nullptr : set_up_.library.with_name(tool_.name);
+    if (named != nullptr && named != &known_ && known_.name != tool_.name)
+      report_difference("called " + tool_.name, known_.name.empty() ? "not" : known_.name, true);
+    const auto [diameter, corner] = nominal_size(known_.cutter);
+    if (tool_.stated_diameter_mm > 0 && std::abs(diameter - tool_.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
+      return report_difference(size_text(tool_.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit),
+                               diameter < tool_.stated_diameter_mm);
+    }
+    if (!tool_.cutter || tool_.cutter->given == 0) return;
+    const double given_corner = tool_.cutter->given > 1 ? tool_.cutter->r_mm : corner;
+    if (std::abs(diameter - tool_.cutter->d_mm) <= Tolerance::kFilePoint_mm &&
+        std::abs(corner - given_corner) <= Tolerance::kFilePoint_mm)
+      return compare_outlines();
+    const bool is_round = tool_.cutter->given > 1;
+    const bool is_smaller =
+        diameter < tool_.cutter->d_mm - Tolerance::kFilePoint_mm || (is_round && reach_mm(tool_) > kReach_mm);
+    report_difference(size_text(tool_.cutter->d_mm, given_corner, path_.unit), size_text(diameter, corner, path_.unit),
+                      is_smaller);
+  }
+
+  // Returns the distance by which a tool of the file reaches out of the library's tool.
+  [[nodiscard]] double reach_mm(const PathTool& tool) const {
+    const Result<ToolFromPath> made = make_tool_from_path(tool, set_up_.holder);
+    return made ? reach_beyond_mm(made->tool.cutter, known_.cutter) : 0;
+  }
+
+  // Returns the distance by which the library's tool reaches out of a tool of the file.
+  [[nodiscard]] double excess_mm(const PathTool& tool) const {
+    const Result<ToolFromPath> made = make_tool_from_path(tool, set_up_.holder);
+    return made ? reach_beyond_mm(known_.cutter, made->tool.cutter) : 0;
+  }
+
+  // Returns the file's tool as a tapered ball whose diameter is that of the ball. The diameter may also be the one at
+  // which its flank meets the tip plane. Nothing: it is no such tool.
+  [[nodiscard]] std::optional<PathTool> as_tapered_ball() const {
+    constexpr double kBall_mm = 1e-4;
+    PathTool ball = tool_;
+    CutterStatement& c = *ball.cutter;
+    if (std::abs(c.alpha_deg) > 0 || std::abs(2 * c.r_mm - c.d_mm) > kBall_mm) return std::nullopt;
+    const double flank = c.beta_deg * std::numbers::pi / 180;
+    c.d_mm = 2 * c.r_mm * (1 / std::cos(flank) - std::tan(flank));
+    c.e_mm = 0;
+    c.f_mm = c.r_mm;
+    return ball;
+  }
+
+  // Compares two tools of the same size, which may have another taper or tip.
+  void compare_outlines() {
+    constexpr int kWhole = 7;
+    const CutterStatement& c = *tool_.cutter;
+    const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
+    const bool has_angles = dialect_or_apt(path_.dialect).has_tool_angles;
+    if (c.given < kWhole || (is_plain && !has_angles)) return;
+    const auto length = [&](double mm) {
+      return exact_text(std::round(mm / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
+    };
+    const std::optional<PathTool> ball = as_tapered_ball();
+    const double reach = ball ? std::min(reach_mm(tool_), reach_mm(*ball)) : reach_mm(tool_);
+    if (reach > kReach_mm)
+      return contradict(name_of(tool_) + " reaches up to " + length(reach) +
+                        " farther from its axis by the toolpath than by the library, which is what is checked");
+    if (set_up_.use != ToolUse::removes_stock) return;
+    const double excess = ball ? std::min(excess_mm(tool_), excess_mm(*ball)) : excess_mm(tool_);
+    if (excess > kReach_mm)
+      contradict(name_of(tool_) + " reaches up to " + length(excess) +
+                 " farther from its axis by the library, which is what removes stock, than by the toolpath");
+  }
+
+  void report_difference(const std::string& given, const std::string& known, bool is_smaller) {
+    const std::string message =
+        name_of(tool_) + " is " + given + " by the toolpath but " + known + " by the library, which is what is checked";
+    if (is_smaller || set_up_.use == ToolUse::removes_stock) return contradict(message);
+    difference_.warnings.push_back(make_warning(
+        "tool-differs", message + "; correct the library or --tool if another tool is meant", path_.file, tool_.line));
+  }
+
+  void contradict(const std::string& what) {
+    difference_.contradiction += (difference_.contradiction.empty() ? "" : "; ") + what;
+  }
+
+  const PathTool& tool_;
+  const ToolAssembly& known_;
+  const Toolpath& path_;
+  const ToolSetUp& set_up_;
+  ToolDifference difference_;
+};
+
+}  // namespace
+
+ToolDifference compare_tools(const PathTool& tool, const ToolAssembly& known, const Toolpath& path,
+                             const ToolSetUp& set_up) {
+  return Comparer(tool, known, path, set_up).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+#include "lib/path/toolpath.h"
+#include "toolmodels/tool_library.h"
+
+namespace gouge {
+
+/// Use of a tool, by which it matters whether it is larger than that of the path.
+enum class ToolUse {
+  finds_gouges,  ///< nothing: it finds every gouge of the smaller one
+  removes_stock  ///< material that the smaller one leaves
+};
+
+/// The surroundings of a comparison of tools.
+struct ToolSetUp {
+  const ToolLibrary& library;
+  const std::vector<ToolSegment>& holder;  ///< of tools without one; may be empty
+  ToolUse use;
+};
+
+/// The differences between a tool of the library and that of the path.
+struct ToolDifference {
+  std::string contradiction;  ///< one sentence, or several joined by semicolons; empty: none that could hide anything
+  Diagnostics warnings;       ///< about the other differences; code tool-differs
+};
+
+/// Returns "T7", or the name of a tool without a number.
+[[nodiscard]] std::string name_of(const PathTool& tool);
+
+/// Compares the tool `known` of the library, which is checked, with that of the path. If it is smaller, a gouge of the
+/// path's tool could be missed; if it is larger, no gouge is missed. A larger tool removes more stock, so it could miss a
+/// rapid into material.
+[[nodiscard]] ToolDifference compare_tools(const PathTool& tool, const ToolAssembly& known, const Toolpath& path,
+                                           const ToolSetUp& set_up);
+
+}  // namespace gouge
