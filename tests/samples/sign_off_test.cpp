@@ -27,10 +27,10 @@ class SignOffOfReport : public testing::Test {
 
 TEST_F(SignOffOfReport, SaysWhoWhenAndHow) {
   const std::string html = report_of("r", {"--project", "Impeller <7>", "--reviewer", "A. Noether"});
-  for (const char* words :
-       {"<dt>Project</dt><dd>Impeller &lt;7&gt;</dd>", "<dt>Reviewer</dt><dd>A. Noether</dd>",
-        "<dt>Date</dt><dd>2023-11-14 22:13 UTC</dd>", "<dt>Program</dt><dd>gougecheck ",
-        "<dt>Command</dt><dd>gougecheck check pocket.apt <span>--part</span> part.stl", "<b>Reviewed by</b><p>A. Noether</p>"})
+  for (const char* words : {"<dt>Project</dt><dd>Impeller &lt;7&gt;</dd>", "<dt>Reviewer</dt><dd>A. Noether</dd>",
+                            "<dt>Date</dt><dd>2023-11-14 22:13 UTC</dd>", "<dt>Program</dt><dd>gougecheck ",
+                            "<dt>Command</dt><dd>gougecheck check pocket.apt <span>--part</span> part.stl",
+                            "<b>Reviewed by</b><p>A. Noether</p>"})
     EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 
@@ -44,7 +44,8 @@ TEST_F(SignOffOfReport, TheCommandIsQuotedForAShell) {
   ASSERT_EQ(run_gougecheck(sample_.path, sample_.arguments("check", "it's mine.apt", {"--report", "r"})).exit_status,
             1);
   const std::string html = text_of(sample_.path + "/r/report.html");
-  EXPECT_NE(html.find("gougecheck check &#39;it&#39;\\&#39;&#39;s mine.apt&#39; <span>--part</span>"), std::string::npos);
+  EXPECT_NE(html.find("gougecheck check &#39;it&#39;\\&#39;&#39;s mine.apt&#39; <span>--part</span>"),
+            std::string::npos);
 }
 
 TEST_F(SignOffOfReport, ADateThatIsNoneIsRefused) {
