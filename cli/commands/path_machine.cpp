@@ -124,7 +124,10 @@ void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments) {
 void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments) {
   add_common(command, arguments);
   command
-      .add_option("--csv", arguments.csv_file, "Write the joint values of every record as CSV; - for standard output")
+      .add_option(
+          "--csv", arguments.csv_file,
+          "Write the joint values of every record as CSV, in mm and degrees also for a path in inches; - for standard "
+          "output")
       ->type_name("FILE")
       ->required();
   command.footer(

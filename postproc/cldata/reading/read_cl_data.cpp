@@ -215,6 +215,19 @@ std::optional<Diagnostic> find_two_units(const UnitGuess& guess, const FeedUnits
                     file, std::max(feeds.in_mm(), feeds.in_inches()));
 }
 
+// Contradicts a unit that the user states if all feeds of the file are in the other one.
+void compare_with_feeds(const UnitGuess& guess, const FeedUnits& feeds, Assumptions& facts) {
+  const bool is_inch = guess.unit == LengthUnit::inch;
+  const std::size_t line = is_inch ? feeds.in_mm() : feeds.in_inches();
+  const auto fact = std::ranges::find(facts, Subject::path_unit, &Assumption::subject);
+  if (guess.source != UnitGuess::Source::option || feeds.are_two() || line == 0 || fact == facts.end()) return;
+  fact->basis = Basis::contradicted;
+  fact->evidence = std::string("--path-units states ") + (is_inch ? "inches" : "mm") + ", and all feeds are in " +
+                   (is_inch ? "mm" : "inches") + ", the first in line " + std::to_string(line);
+  fact->line = line;
+  fact->remedy = "correct --path-units, or state that it is right with --assume path-unit";
+}
+
 // Returns whether a move of the file is understood. Statements that are not understood but may be motions also give
 // moves.
 bool has_motion(const Toolpath& path) {
@@ -323,6 +336,7 @@ ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const D
   }
   const FileFacts& facts = interpreter.facts();
   path.assumptions = assume_file(path, guess, dialect, options.dialect.has_value(), facts);
+  compare_with_feeds(guess, interpreter.feed_units(), path.assumptions);
   path.has_turned_frame = facts.has_turned_frame;
   path.origins = records;
   if (!options.unnamed_tool.empty()) name_unnamed_tool(options.unnamed_tool, path);

@@ -42,6 +42,19 @@ TEST(AssumeFile, TheUnitIsStatedDerivedOrUnknownAndNeverADefault) {
   EXPECT_EQ(fact_in("GOTO/1,2,3\nFINI\n", Subject::path_unit, inch).basis, Basis::stated);
 }
 
+TEST(AssumeFile, FeedsThatAreAllInTheOtherUnitContradictTheUnitOfTheUser) {
+  ReadOptions inch, mm;
+  inch.unit = LengthUnit::inch;
+  mm.unit = LengthUnit::mm;
+  const std::string in_mm = "GOTO/1,2,3\nFEDRAT/100,MMPM\nGOTO/1,2,4\nFINI\n";
+  const std::string in_both = "FEDRAT/10,IPM\nGOTO/1,2,3\nFEDRAT/100,MMPM\nGOTO/1,2,4\nFINI\n";
+  const Assumption fact = fact_in(in_mm, Subject::path_unit, inch);
+  EXPECT_EQ(fact.basis, Basis::contradicted);
+  EXPECT_EQ(fact.evidence, "--path-units states inches, and all feeds are in mm, the first in line 2");
+  EXPECT_EQ(fact_in(in_mm, Subject::path_unit, mm).basis, Basis::stated);
+  EXPECT_EQ(fact_in(in_both, Subject::path_unit, inch).basis, Basis::stated) << "the option resolves it";
+}
+
 TEST(AssumeFile, AFileIsWholeWithItsEndMarkAndUnknownWithoutOneItShouldHave) {
   const auto basis = [](const std::string& text) { return fact_in(text, Subject::completeness).basis; };
   EXPECT_EQ(basis("PARTNO A\nUNITS/MM\nGOTO/1,2,3\nFINI\n"), Basis::derived);
