@@ -169,7 +169,8 @@ std::optional<Vec3> AxisState::read(std::size_t first) {
   const double error = std::abs(length - 1);
   if (!(error <= Tolerance::kUnitVectorError)) {
     in_.fail("path-axis", in_.major() + ": the tool axis has length " + fixed_text(length, 6) +
-                              "; expected a unit vector i,j,k (length 1 within 0.001)" + in_.comma_hint());
+                              "; expected a unit vector i,j,k (length 1 within 0.001)" +
+                              (length > 1 ? in_.comma_hint() : ""));
     return std::nullopt;
   }
   if (error > Tolerance::kFileAxis) {

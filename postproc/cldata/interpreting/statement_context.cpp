@@ -45,7 +45,8 @@ Vec3 StatementContext::vector(std::size_t first) const {
 std::string StatementContext::comma_hint() const {
   constexpr std::size_t kFewest = 4;  // two numbers, such as 1,5 and 2,25
   const auto is_whole = [](const Argument& one) { return one.number && one.text.find('.') == std::string_view::npos; };
-  const bool may_be_commas = arguments.size() >= kFewest && std::ranges::all_of(arguments, is_whole);
+  const bool may_be_commas =
+      arguments.size() >= kFewest && arguments.size() % 2 == 0 && std::ranges::all_of(arguments, is_whole);
   return may_be_commas ? "; write a decimal point, not a comma, if that is meant" : "";
 }
 

@@ -33,7 +33,7 @@ class StatementContext : public PathBuilder {
   [[nodiscard]] bool has(std::string_view word) const { return has_argument(arguments, word); }
   [[nodiscard]] bool has_numbers_alone(std::size_t count) const;
   [[nodiscard]] Vec3 vector(std::size_t first) const;
-  /// Returns a hint at decimal commas for the end of an error; empty: a number has a point, or there are too few numbers.
+  /// Returns a hint at decimal commas for the end of an error; empty: a number has a point, or the numbers are not pairs.
   [[nodiscard]] std::string comma_hint() const;
   /// Returns whether all arguments are numbers. Otherwise reports an error, "`expected` in numbers", or refuses a part
   /// program.

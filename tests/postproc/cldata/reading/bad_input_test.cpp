@@ -61,6 +61,13 @@ TEST(BadPath, NumbersThatAreNone) {
   }
 }
 
+TEST(BadPath, DecimalCommasAreNamed) {
+  for (const char* text : {"GOTO/1,5,2,25,3,5\n", "GOTO/1,5,2,25\n"})
+    EXPECT_NE(only_error(text).find("; write a decimal point, not a comma, if that is meant"), std::string::npos)
+        << text;
+  EXPECT_EQ(only_error("GOTO/1.5,2,25,3\n").find("comma"), std::string::npos) << "it has a point";
+}
+
 TEST(BadPath, WrongCountsAndAxes) {
   EXPECT_EQ(only_error("GOTO/1,2,3,0,1\n"),
             "bad.apt:1: error: GOTO has 5 numbers; expected x,y,z or x,y,z,i,j,k [path-count]");
