@@ -334,7 +334,6 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
                                  "accept takes --finding for one result, as each result has its own numbers; give one "
                                  "RESULT, or --all")});
   for (const std::string& file : *files) inputs.push_back({"the result", file});
-  for (const std::string& typed : arguments.results) add_batch_files(typed, inputs);
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   const Result<std::vector<StoredResult>> results = read_results(arguments, *files);
   if (!results) return fail(err, {results.error()});

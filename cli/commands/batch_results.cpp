@@ -37,15 +37,6 @@ Result<std::vector<ListedJob>> read_batch_jobs(const std::string& folder, const 
   return jobs;
 }
 
-void add_batch_files(const std::string& name, std::vector<InputOption>& inputs) {
-  if (!is_batch_folder(name)) return;
-  const auto add = [&](const std::string& file) {
-    inputs.push_back({"a file of the batch", (fs::path(name) / file).string()});
-  };
-  for (const std::string& file : names_of_batch()) add(file);
-  add(kBatchStoreName);
-}
-
 std::string describe_no_batch(const std::string& name) {
   std::error_code ignored;
   const fs::path path(name);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "cli/options/reading_options.h"
-#include "cli/output/overwriting.h"
 #include "lib/base/result.h"
 
 namespace gouge {
@@ -14,10 +13,6 @@ struct ListedJob {
   std::string name, verdict;
   std::string result_file;  ///< empty: the job has no report
 };
-
-/// Adds the files of the folder of a batch to the inputs, which no output may replace: the summary, its manifest, the store.
-/// Adds nothing for another name.
-void add_batch_files(const std::string& name, std::vector<InputOption>& inputs);
 
 /// Returns the jobs of the batch in a folder, in their order.
 /// Errors: result-format, result-syntax, and those of read_file.

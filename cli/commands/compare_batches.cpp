@@ -96,9 +96,7 @@ int run_compare_batches(const CompareArguments& arguments, double same_within_mm
   if (!before) return fail(err, {before.error()});
   const Result<ListedJobs> after = read_batch_jobs(arguments.after, arguments.input);
   if (!after) return fail(err, {after.error()});
-  std::vector<InputOption> inputs = results_of(*before, *after);
-  for (const std::string& folder : {arguments.before, arguments.after}) add_batch_files(folder, inputs);
-  if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
+  if (const auto status = refuse_outputs(results_of(*before, *after), outputs, err)) return *status;
   const Result<BatchComparison> batches = compare_jobs(*before, *after, arguments, same_within_mm);
   if (!batches) return fail(err, {batches.error()});
   if (!arguments.json_file.empty()) {
