@@ -284,7 +284,8 @@ class Batch {
   void remove_corrected(const StoredJob& job) const {
     std::error_code ignored;
     for (const JobOutput& output : job.outputs) {
-      if (output.file.starts_with("corrected/") && is_below(output.file) && are_as_written({output}, arguments_.folder))
+      if (output.file.starts_with(std::string(kCorrectedFolder) + "/") && is_below(output.file) &&
+          are_as_written({output}, arguments_.folder))
         fs::remove(arguments_.folder + "/" + output.file, ignored);
     }
   }

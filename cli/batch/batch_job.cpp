@@ -189,16 +189,16 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
     fs::create_directories(output.parent_path(), ignored);
   result.status = run_command(job, context);
   result.messages = err.str();
+  const std::string page = std::string(kReportsFolder) + "/" + job.name + "/report.html";
   if (!result.unit.empty()) {
-    if (job.has_report) result.report = "reports/" + job.name + "/report.html";
+    if (job.has_report) result.report = page;
     if (auto outputs = OutputLister(job, folder).run()) {
       result.outputs = std::move(*outputs);
       result.key = key_of(text, checksums_of(result.inputs));
     }
-  } else if (const std::string old = "reports/" + job.name + "/report.html";
-             job.has_report && fs::exists(fs::path(folder) / old, ignored)) {
+  } else if (job.has_report && fs::exists(fs::path(folder) / page, ignored)) {
     result.messages +=
-        to_text(make_note("report-old", "is of an earlier run, in which the job did not fail", old)) + "\n";
+        to_text(make_note("report-old", "is of an earlier run, in which the job did not fail", page)) + "\n";
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   result.memory_mb = static_cast<double>(peak_memory_bytes().value_or(0) / 1'000'000);

@@ -362,7 +362,7 @@ std::string BatchJob::output() const {
 }
 
 std::string BatchFolder::corrected_name(const BatchJob& job) {
-  return "corrected/" + job.name + split_toolpath_name(job.job().path).ending;
+  return std::string(kCorrectedFolder) + "/" + job.name + split_toolpath_name(job.job().path).ending;
 }
 
 Result<std::vector<BatchJob>> read_job_list(const std::string& file, const BatchFolder& folder) {

@@ -8,6 +8,7 @@
 
 #include "cli/commands/check_command.h"
 #include "cli/options/correct_options.h"
+#include "cli/output/report_folder.h"
 #include "lib/base/result.h"
 
 namespace gouge {
@@ -32,7 +33,7 @@ struct BatchFolder {
   std::string path;
   bool has_reports = true;  ///< false: no job has a report, even if it requests one
 
-  [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/reports/" + job; }
+  [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/" + kReportsFolder + "/" + job; }
   /// Returns the name of a job's corrected toolpath, relative to `path`.
   [[nodiscard]] static std::string corrected_name(const BatchJob& job);
 };
