@@ -8,7 +8,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/report/remedies.h"
 
-// What a result records of the inputs of a check, so that `gougecheck verify` can repeat it from their files.
+// Records the inputs of a check in its result, so that `gougecheck verify` can repeat it from their files.
 
 namespace gougecheck {
 namespace {

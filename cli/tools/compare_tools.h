@@ -9,10 +9,10 @@
 
 namespace gouge {
 
-/// Use of a tool, by which it matters whether it is larger than that of the path.
+/// Use of a tool of the library. It decides whether a tool that is larger than that of the path can hide anything.
 enum class ToolUse {
-  finds_gouges,  ///< nothing: it finds every gouge of the smaller one
-  removes_stock  ///< material that the smaller one leaves
+  finds_gouges,  ///< it cannot: it gouges wherever the smaller tool does
+  removes_stock  ///< it can: it also removes material that the smaller tool leaves
 };
 
 /// The surroundings of a comparison of tools.

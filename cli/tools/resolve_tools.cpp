@@ -29,6 +29,9 @@ std::string describe(const ToolAssembly& tool, LengthUnit unit) {
   return text;
 }
 
+// Returns "T7", or the name of a tool without a number, which may be empty.
+std::string short_name(const PathTool& tool) { return tool.number ? "T" + std::to_string(*tool.number) : tool.name; }
+
 Diagnostic usage(const std::string& message) { return make_error("usage", message); }
 
 class Resolver {
@@ -77,7 +80,7 @@ class Resolver {
     for (std::size_t i = 0; i < path_.tools.size(); ++i) {
       const PathTool& tool = path_.tools[i];
       ToolFacts facts;
-      facts.name = tool.number ? "T" + std::to_string(*tool.number) : tool.name;
+      facts.name = short_name(tool);
       contradiction_.clear();
       is_of_path_ = false;
       uncertainty_.clear();
@@ -155,7 +158,7 @@ class Resolver {
       const PathTool& tool = path_.tools[i];
       is_any_named = is_any_named || named_for(tool) != nullptr;
       is_any_unnamed = is_any_unnamed || (!tool.number && tool.name == unnamed_.first);
-      loaded.push_back(tool.number ? "T" + std::to_string(*tool.number) : tool.name);
+      loaded.push_back(short_name(tool));
     }
     if (loaded.empty()) return;
     const std::string of_path = ", and the toolpath loads " + listed(loaded, " and ");
@@ -272,7 +275,7 @@ class Resolver {
       const auto found = named_.find(key);
       return found == named_.end() ? nullptr : found->second;
     };
-    const ToolAssembly* const by_number = tool.number ? find("T" + std::to_string(*tool.number)) : nullptr;
+    const ToolAssembly* const by_number = tool.number ? find(short_name(tool)) : nullptr;
     // A number that --tool names is meant as a number if the tool has one.
     const bool may_have_name = !tool.name.empty() && !(tool.number && tool_number(tool.name));
     return by_number == nullptr && may_have_name ? find(key_of(tool.name)) : by_number;
