@@ -79,7 +79,7 @@ std::optional<std::string> find_gap(const Toolpath& path, const Scene& scene, co
   const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
   if (!parts || parts->gap_mm <= tool_mm) return std::nullopt;
   if (const std::optional<double> tip_mm = nearest_tip_mm(path, part))
-    return "no move reaches the part, from which the tip stays " + fixed_text(*tip_mm, 0) + " mm away where it cuts";
+    return "no move reaches the part; the nearest cutting position examined is " + fixed_text(*tip_mm, 0) + " mm away";
   return "no move comes nearer than " + fixed_text(parts->gap_mm - tool_mm, 0) + " mm to the part";
 }
 

@@ -22,7 +22,7 @@ TEST(Placement, AGapIsFoundOnlyBeyondTheReachOfTheTool) {
   EXPECT_EQ(gap(shapes::box({0, 0, -20}, {120, 100, 0})), "");
   EXPECT_EQ(gap(shapes::box({150, 0, -20}, {270, 100, 0})), "") << "beside it, within the tool's reach";
   EXPECT_EQ(gap(shapes::box({1160, 0, -20}, {1270, 100, 0})),
-            "no move reaches the part, from which the tip stays 1060 mm away where it cuts");
+            "no move reaches the part; the nearest cutting position examined is 1060 mm away");
   const Scene nothing;
   EXPECT_FALSE(find_gap(path, nothing, PreparedScene(nothing).workpiece_tree(), 60));
 }
