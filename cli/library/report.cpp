@@ -9,6 +9,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "postproc/report/write_report.h"
+#include "postproc/report_files/own_files.h"
 
 namespace gougecheck {
 namespace {
@@ -151,6 +152,8 @@ void Report::write(const std::string& file) const {
     if (std::filesystem::equivalent(input, file, none))
       raise(gouge::make_error("usage", "the report would overwrite an input; expected another file", file));
   }
+  if (const std::string why = gouge::why_kept(file); !why.empty())
+    raise(gouge::make_error("usage", "the output " + why, file));
   value_or_raise(gouge::write_file(file, bytes));
 }
 

@@ -115,16 +115,12 @@ Diagnostics find_unwritable(const OutputTable& outputs) {
 
 namespace {
 
-/// Returns the error for an output that would replace a file of a report or of a batch: it would be locked then, as none of
-/// its runs wrote that file.
+/// Returns the error for an output that would replace a file of a report or of a batch.
 std::optional<Diagnostic> find_kept_file(const OutputTable& outputs, bool is_of_batch) {
   for (const Output& output : outputs) {
     if (output.kind == Output::Kind::report_folder || output.file == "-") continue;
-    std::string folder = folder_with_own_file(output.file);
-    if (folder.empty() && !is_of_batch) folder = batch_of_corrected(output.file);
-    if (!folder.empty())
-      return make_error("usage", output.option + " '" + output.file + "' is a file of the report or the batch in " +
-                                     folder + ", where nothing else writes; name another file");
+    if (const std::string why = why_kept(output.file, is_of_batch); !why.empty())
+      return make_error("usage", output.option + " '" + output.file + "' " + why);
   }
   return std::nullopt;
 }

@@ -7,13 +7,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "cli/options/help_text.h"
-#include "cli/output/json_text.h"
 #include "lib/base/files.h"
-#include "lib/base/sha256.h"
-#include "lib/json/json_file.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -23,22 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = ".gougecheck-report-";  // of temporary names of files
-constexpr std::uintmax_t kLargestManifest = 1 << 16;
-
-constexpr const char* kResultName = "result.json";
 
 bool has_name(const std::vector<std::string>& names, const char* name) {
   return std::ranges::find(names, name) != names.end();
-}
-
-// Reads a manifest; none if the file is not a manifest of ours. Errors: a file that cannot be read, as it may be ours.
-Result<std::optional<ReportManifest>> manifest_of(const std::string& path) {
-  std::error_code error;
-  const std::uintmax_t bytes = fs::file_size(path, error);
-  if (!error && bytes > kLargestManifest) return std::optional<ReportManifest>();
-  const Result<std::string> text = read_file(path);
-  if (!text) return text.error();
-  return read_manifest(*text);
 }
 
 Outcome unwritable(const std::string& path, const std::string& why) {
@@ -98,7 +81,7 @@ Outcome ReportFolder::look() {
   const fs::file_status status = fs::symlink_status(at(kManifestName), ignored);
   std::optional<ReportManifest> manifest;
   if (fs::is_regular_file(status)) {
-    Result<std::optional<ReportManifest>> read = manifest_of(at(kManifestName));
+    Result<std::optional<ReportManifest>> read = manifest_in(folder_);
     if (!read) return read.error();
     manifest = std::move(*read);
   }
@@ -187,145 +170,11 @@ Outcome ReportFolder::commit() {
   return put_manifest({new_, true, toolpath_});
 }
 
-namespace {
-
-constexpr const char* kFormat = "gougecheck-report-manifest";
-constexpr int kVersion = 1;
-
-std::optional<ManifestEntry> read_entry(const nlohmann::json& json) {
-  if (!json.is_object() || !json.contains("name") || !json.contains("bytes") || !json.contains("sha256"))
-    return std::nullopt;
-  if (!json["name"].is_string() || !json["bytes"].is_number_unsigned() || !json["sha256"].is_string())
-    return std::nullopt;
-  return ManifestEntry{json["name"], json["bytes"], json["sha256"]};
-}
-
-}  // namespace
-
-bool ReportManifest::has(const ManifestEntry& file) const { return std::ranges::find(files, file) != files.end(); }
-
-std::string write_manifest(const ReportManifest& manifest) {
-  Json files = Json::array();
-  for (const ManifestEntry& file : manifest.files)
-    files.push_back(Json{{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
-  Json json = {{"format", kFormat},
-               {"format_version", kVersion},
-               {"program", Json{{"name", kProgramName}, {"version", kProgramVersion}}},
-               {"complete", manifest.is_complete},
-               {"files", files}};
-  if (!manifest.toolpath.empty()) json["toolpath"] = manifest.toolpath;
-  return json.dump(1) + "\n";
-}
-
-std::optional<ReportManifest> read_manifest(std::string_view text) {
-  const Result<JsonFile> read = parse_json(kManifestName, text, {"manifest", "manifest", "a manifest"});
-  if (!read) return std::nullopt;
-  const nlohmann::json& json = read->root;
-  if (!json.is_object() || json.value("format", Json()) != kFormat || json.value("format_version", Json()) != kVersion)
-    return std::nullopt;
-  if (!json.contains("files") || !json["files"].is_array()) return std::nullopt;
-  ReportManifest manifest;
-  manifest.is_complete = json.value("complete", nlohmann::json()) == true;
-  const nlohmann::json toolpath = json.value("toolpath", nlohmann::json(""));
-  if (toolpath.is_string()) manifest.toolpath = toolpath;
-  for (const nlohmann::json& file : json["files"]) {
-    std::optional<ManifestEntry> entry = read_entry(file);
-    if (!entry) return std::nullopt;
-    manifest.files.push_back(std::move(*entry));
-  }
-  return manifest;
-}
-
-ManifestEntry describe_bytes(std::string name, std::string_view bytes) {
-  return {std::move(name), bytes.size(), sha256_of(bytes)};
-}
-
-Result<ManifestEntry> describe_file(const std::string& folder, const std::string& name) {
-  const std::string path = folder + "/" + name;
-  std::ifstream file(path, std::ios::binary);
-  ManifestEntry entry{name, 0, {}};
-  Sha256 hash;
-  std::string piece(1 << 16, '\0');
-  while (file) {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    const auto count = static_cast<std::size_t>(file.gcount());
-    hash.add(std::string_view(piece).substr(0, count));
-    entry.bytes += count;
-  }
-  if (!file.eof()) return make_error("file-unreadable", "cannot read the file", path);
-  entry.sha256 = hash.finish();
-  return entry;
-}
-
-const std::vector<std::string>& names_of_report() {
-  // Pictures are event_1.png to event_9.png. A report has no more, and a longer number may be a date in a file of the
-  // user.
-  static const std::vector<std::string> kNames = {
-      "report.html",          kResultName,   "moves.csv",   "before_after.png", "tilt_field.png", "heat_map.png",
-      "depth_along_path.png", "event_1.png", "event_2.png", "event_3.png",      "event_4.png",    "event_5.png",
-      "event_6.png",          "event_7.png", "event_8.png", "event_9.png",      kManifestName};
-  return kNames;
-}
-
-std::string result_in(const std::string& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(file, ignored)) return file;
-  return file + (file.ends_with('/') ? "" : "/") + kResultName;
-}
-
-bool is_batch_folder(const std::string& name) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(std::filesystem::path(name) / kBatchSummaryName, ignored);
-}
-
-std::string folder_with_own_file(const std::string& file) {
-  std::error_code ignored;
-  const fs::path full = fs::weakly_canonical(file, ignored), folder = full.parent_path();
-  const std::string name = full.filename().string();
-  const bool is_batch = is_batch_folder(folder.string()) || is_interrupted_batch(folder.string());
-  if (is_batch && (has_name(names_of_batch(), name.c_str()) || name.starts_with(kBatchStoreName)))
-    return folder.string();
-  const auto manifest = manifest_of((folder / kManifestName).string());
-  if (!manifest || !*manifest) return {};
-  const bool is_listed = std::ranges::any_of((*manifest)->files, [&](const auto& entry) { return entry.name == name; });
-  return is_listed || name == kManifestName ? folder.string() : std::string();
-}
-
-namespace {
-
-/// Returns the folder of the batch below whose folder `part` a file or folder is; else empty.
-std::string batch_above(const std::string& name, const char* part) {
-  std::error_code ignored;
-  const fs::path full = fs::weakly_canonical(name, ignored);
-  for (fs::path above = full.parent_path(); above != above.parent_path(); above = above.parent_path()) {
-    const bool is_batch = is_batch_folder(above.string()) || is_interrupted_batch(above.string());
-    if (is_batch && *full.lexically_relative(above).begin() == part) return above.string();
-  }
-  return {};
-}
-
-}  // namespace
-
-std::string batch_of_report(const std::string& folder) { return batch_above(folder, kReportsFolder); }
-
-std::string batch_of_corrected(const std::string& file) { return batch_above(file, kCorrectedFolder); }
-
-bool is_interrupted_batch(const std::string& name) {
-  std::error_code ignored;
-  return !is_batch_folder(name) && fs::is_regular_file(fs::path(name) / kBatchStoreName, ignored);
-}
-
 std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
   if (is_interrupted_batch(name)) return make_error("usage", "'" + name + "' " + kIsInterrupted);
   if (!is_batch_folder(name)) return std::nullopt;
   return make_error("usage", "'" + name + "' is the folder of a batch; expected one result of it: " +
                                  (std::filesystem::path(name) / kReportsFolder / "JOB").string());
-}
-
-const std::vector<std::string>& names_of_batch() {
-  static const std::vector<std::string> kNames = {"index.html", "summary.csv",    kBatchSummaryName,
-                                                  "junit.xml",  "findings.sarif", kManifestName};
-  return kNames;
 }
 
 }  // namespace gouge

@@ -11,73 +11,17 @@
 #include "lib/base/result.h"
 #include "lib/base/staged_file.h"
 #include "postproc/report/named_file.h"
-
-// The manifest.json in the folder of a report, which lists the files that belong to the report
-// (docs/formats/report_folder.md).
+#include "postproc/report_files/manifest.h"
+#include "postproc/report_files/own_files.h"
 
 namespace gouge {
 
-inline constexpr const char* kManifestName = "manifest.json";
-inline constexpr const char* kBatchSummaryName = "summary.json";
-inline constexpr const char* kBatchStoreName = "results.sqlite";
-/// Folder of the reports of the jobs in the folder of a batch.
-inline constexpr const char* kReportsFolder = "reports";
-/// Folder of the corrected toolpaths there.
-inline constexpr const char* kCorrectedFolder = "corrected";
-
-/// A content that a file of the report may have.
-struct ManifestEntry {
-  std::string name;
-  std::uint64_t bytes = 0;
-  std::string sha256;
-
-  bool operator==(const ManifestEntry&) const = default;
-};
-
-struct ReportManifest {
-  std::vector<ManifestEntry> files;  ///< one name may have two contents while a report is being replaced
-  bool is_complete = true;           ///< false: while a report is being replaced
-  std::string toolpath = {};         ///< as the user named it; empty: not stated
-
-  [[nodiscard]] bool has(const ManifestEntry& file) const;
-};
-
-[[nodiscard]] std::string write_manifest(const ReportManifest& manifest);
-
-/// Reads a manifest. Returns none if `text` is not a manifest of ours.
-[[nodiscard]] std::optional<ReportManifest> read_manifest(std::string_view text);
-
-[[nodiscard]] ManifestEntry describe_bytes(std::string name, std::string_view bytes);
-
-/// Returns name, size and hash of the file `name` of `folder`, which is read in pieces. Errors: file-unreadable.
-[[nodiscard]] Result<ManifestEntry> describe_file(const std::string& folder, const std::string& name);
-
-/// Returns every name that a report may write into its folder: report.html, result.json, moves.csv, the pictures, and
-/// the manifest. All other files in the folder do not belong to the report.
-[[nodiscard]] const std::vector<std::string>& names_of_report();
-
-/// Returns the place of the result in the folder of a report, or `file` itself if it is no folder.
-[[nodiscard]] std::string result_in(const std::string& file);
-
-/// Returns whether a name is that of the folder of a batch.
-[[nodiscard]] bool is_batch_folder(const std::string& name);
-/// Returns whether a name is that of the folder of a batch that was interrupted: it has results, but no summary.
-[[nodiscard]] bool is_interrupted_batch(const std::string& name);
-/// Returns the folder of a file if that is the folder of a report or of a batch and the file is one of theirs; else empty.
-[[nodiscard]] std::string folder_with_own_file(const std::string& file);
-/// Returns the folder of the batch among whose corrected toolpaths a file is, or would be; else empty.
-[[nodiscard]] std::string batch_of_corrected(const std::string& file);
-/// Returns the folder of the batch to whose jobs the folder of a report belongs; empty: to none.
-[[nodiscard]] std::string batch_of_report(const std::string& folder);
 /// The rest of a sentence that begins with the name of such a folder.
 inline constexpr const char* kIsInterrupted =
     "is the folder of a batch that was interrupted; finish it with gougecheck batch ... --resume";
 /// Returns the error for the folder of a batch where one result is expected, also of one that was interrupted; none for
 /// any other name. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> refuse_batch_folder(const std::string& name);
-
-/// Returns the names for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
-[[nodiscard]] const std::vector<std::string>& names_of_batch();
 
 /// The folder of --report, in which a new report replaces an older one and nothing else. The manifest of the older
 /// report states its files, by name and content. Every other file with a name of a report is foreign, and refused

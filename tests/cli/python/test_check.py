@@ -184,6 +184,18 @@ def test_reports_are_written(tmp_path):
         report.write(tmp_path / "report.pdf")
 
 
+def test_files_of_a_batch_are_not_replaced(tmp_path):
+    """A batch would refuse its folder as soon as another file lay in the place of one of its own."""
+    (tmp_path / "summary.json").write_text("{}")
+    (tmp_path / "corrected").mkdir()
+    report = gougecheck.check(PATH, MESH, TOOL)
+    for name in ["summary.json", "summary.csv", "corrected/a.csv"]:
+        with pytest.raises(gougecheck.Error, match="nothing else writes; name another file"):
+            report.write(tmp_path / name)
+    report.write(tmp_path / "own.csv")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["corrected", "own.csv", "summary.json"]
+
+
 def test_the_gil_is_released():
     """Checks from several threads at once: the same answer as one after the other."""
     results = [None] * 4
