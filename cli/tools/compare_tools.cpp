@@ -42,6 +42,7 @@ class Comparer {
 
   ToolDifference run() {
     compare();
+    compare_flutes();
     return std::move(difference_);
   }
 
@@ -100,9 +101,6 @@ class Comparer {
     const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
     const bool has_angles = dialect_or_apt(path_.dialect).has_tool_angles;
     if (c.given < kWhole || (is_plain && !has_angles)) return;
-    const auto length = [&](double mm) {
-      return exact_text(std::round(mm / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
-    };
     const std::optional<PathTool> ball = as_tapered_ball();
     const double reach = ball ? std::min(reach_mm(tool_), reach_mm(*ball)) : reach_mm(tool_);
     if (reach > kReach_mm)
@@ -113,6 +111,19 @@ class Comparer {
     if (excess > kReach_mm)
       contradict(name_of(tool_) + " reaches up to " + length(excess) +
                  " farther from its axis by the library, which is what removes stock, than by the toolpath");
+  }
+
+  // Compares the lengths of the flutes, where longer ones remove more stock. Outlines do not show them, as a shank may be
+  // as wide as its flutes.
+  void compare_flutes() {
+    const double stated = tool_.flute_length_mm, known = length_mm(known_.cutter);
+    if (set_up_.use != ToolUse::removes_stock || stated <= 0 || known <= stated + Tolerance::kFilePoint_mm) return;
+    contradict(name_of(tool_) + " has flutes of " + length(stated) + " by the toolpath, and of " + length(known) +
+               " by the library, which is what removes stock");
+  }
+
+  [[nodiscard]] std::string length(double mm) const {
+    return exact_text(std::round(mm / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
   }
 
   void report_difference(const std::string& given, const std::string& known, bool is_smaller) {

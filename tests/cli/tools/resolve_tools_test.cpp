@@ -177,6 +177,27 @@ TEST(ResolveTools, AToolThatRemovesMoreStockThanThatOfThePathIsContradicted) {
   EXPECT_EQ(basis(FlatCutter{8, 30}, ToolUse::removes_stock), Basis::contradicted);
 }
 
+TEST(ResolveTools, LongerFlutesThanThoseOfThePathRemoveMoreStock) {
+  ToolLibrary library;
+  ToolAssembly tool;
+  tool.number = 1;
+  library.tools.push_back(tool);
+  ReadOutcome read = read_toolpath("t.apt", "UNITS/MM\nCUTTER/10,0,5,0,0,0,50\nLOADTL/1\nGOTO/0,0,5\nFINI\n");
+  ASSERT_TRUE(read.toolpath.has_value());
+  read.toolpath->tools.front().flute_length_mm = 30;
+  const auto of = [&](double flutes_mm, ToolUse use) {
+    library.tools.front().cutter = FlatCutter{10, flutes_mm};
+    return resolve_tools(*read.toolpath, &library, {}, "", use)->assumptions.front();
+  };
+  EXPECT_EQ(of(40, ToolUse::finds_gouges).basis, Basis::derived);
+  EXPECT_EQ(of(30, ToolUse::removes_stock).basis, Basis::derived);
+  EXPECT_EQ(of(20, ToolUse::removes_stock).basis, Basis::derived);
+  EXPECT_EQ(of(40, ToolUse::removes_stock).basis, Basis::contradicted);
+  EXPECT_NE(
+      of(40, ToolUse::removes_stock).evidence.find("flutes of 30 mm by the toolpath, and of 40 mm by the library"),
+      std::string::npos);
+}
+
 TEST(ResolveTools, AToolForMovesWithoutOneIsContradictedWhereThereAreNone) {
   const ToolLibrary library = library_with_holder();
   const auto unused = [&](const std::string& text, const std::vector<std::string>& names) {
