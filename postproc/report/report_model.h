@@ -49,7 +49,7 @@ struct ToolFacts {
   std::string defined_in;
   std::string description;        ///< such as "ball D10, holder D32"; may be empty
   bool has_holder = true;         ///< false: no holder is given, so none was checked
-  std::string identity = {};      ///< 32 digits, equal for tools with equal dimensions; empty: not defined
+  std::string identity = {};      ///< 32 digits, equal for tools with equal contours; empty: not defined
   std::vector<Body> bodies = {};  ///< the bodies that are checked
 };
 
