@@ -128,7 +128,7 @@ class Baseline {
     entry.why = why;
   }
 
-  // Voids entries whose motion is not in the path any more, where another motion gouges in its line.
+  // Voids entries of this program whose motion is not in the path any more, where another motion gouges in its line.
   void explain_changed_motion(std::size_t i) {
     const Event& event = model_.result->events[i];
     EventAcceptance& judged = facts_.events[i];
@@ -141,7 +141,8 @@ class Baseline {
       const Acceptance& a = accepted_[k];
       const bool is_there = first <= a.line && a.line <= last && a.tool == tool_key(*model_.toolpath, event.tool) &&
                             a.body == body_name(event.body) && a.against == against_name(event.against);
-      if (!is_there || facts_.entries[k].use != BaselineEntry::Use::unused) continue;
+      if (!is_there || is_of_other_program(a.toolpath, model_) || facts_.entries[k].use != BaselineEntry::Use::unused)
+        continue;
       double accepted_mm = 0;
       for (const AcceptedMove& move : a.moves) accepted_mm = std::max(accepted_mm, move.depth_upper_mm);
       const std::string why = "the motion in line " + std::to_string(a.line) +
@@ -159,8 +160,9 @@ class Baseline {
     for (const EventAcceptance& event : facts_.events) concerned.insert(event.entries.begin(), event.entries.end());
     for (std::size_t k = 0; k < accepted_.size(); ++k) {
       BaselineEntry& entry = facts_.entries[k];
-      const bool is_of_other = !entry.toolpath.empty() && !is_same_program(entry.toolpath, model_.toolpath->file);
-      if (!is_of_other || entry.use == BaselineEntry::Use::applied || concerned.contains(k)) continue;
+      if (!is_of_other_program(entry.toolpath, model_) || entry.use == BaselineEntry::Use::applied ||
+          concerned.contains(k))
+        continue;
       entry.use = BaselineEntry::Use::elsewhere;
       entry.why.clear();
     }

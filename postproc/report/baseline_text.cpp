@@ -13,12 +13,8 @@ std::string accepted_words(const ReportModel& model) {
 
 namespace {
 
-bool is_of_other(const ReportModel& model, const BaselineEntry& entry) {
-  return !entry.toolpath.empty() && !is_same_program(entry.toolpath, model.toolpath->file);
-}
-
 std::string words_of_other(const ReportModel& model, const BaselineEntry& entry) {
-  if (!is_of_other(model, entry)) return {};
+  if (!is_of_other_program(entry.toolpath, model)) return {};
   return kThroughEntry + entry.toolpath + ", line " + std::to_string(entry.line);
 }
 
@@ -31,10 +27,14 @@ bool is_same_program(const std::string& accepted, const std::string& checked) {
   return ends_with(accepted, checked) || ends_with(checked, accepted);
 }
 
+bool is_of_other_program(const std::string& toolpath, const ReportModel& model) {
+  return !toolpath.empty() && !is_same_program(toolpath, model.toolpath->file);
+}
+
 std::size_t accepted_through_others(const ReportModel& model) {
   return static_cast<std::size_t>(std::ranges::count_if(model.baseline.events, [&](const EventAcceptance& event) {
     return event.is_accepted && std::ranges::any_of(event.entries, [&](std::size_t entry) {
-             return is_of_other(model, model.baseline.entries[entry]);
+             return is_of_other_program(model.baseline.entries[entry].toolpath, model);
            });
   }));
 }

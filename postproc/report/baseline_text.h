@@ -26,6 +26,9 @@ namespace gouge {
 /// Returns whether a file of an acceptance may be the checked one: their names are equal, or one ends with the other.
 [[nodiscard]] bool is_same_program(const std::string& accepted, const std::string& checked);
 
+/// Returns whether an acceptance was made for another program than the checked one; false if it names none.
+[[nodiscard]] bool is_of_other_program(const std::string& toolpath, const ReportModel& model);
+
 /// Returns the number of accepted findings whose acceptance was made for another program.
 [[nodiscard]] std::size_t accepted_through_others(const ReportModel& model);
 

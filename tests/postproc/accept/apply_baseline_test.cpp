@@ -92,6 +92,17 @@ TEST(ApplyBaseline, AnotherMotionInTheSameLineVoids) {
   EXPECT_EQ(facts.events[0].entries, std::vector<std::size_t>{0});
 }
 
+TEST(ApplyBaseline, AnEntryOfAnotherProgramIsNotVoidBecauseItsLineGougesHere) {
+  Accepted report;
+  report.path.file = "other.apt";
+  for (const std::size_t move : {1U, 2U, 3U}) report.path.moves[move].end.tip.z() = -0.1;
+  report.set_gouge(2, 0.45);
+  const BaselineFacts facts = report.apply();
+  EXPECT_EQ(facts.entries[0].use, BaselineEntry::Use::elsewhere);
+  EXPECT_EQ(facts.accepted_findings(), 0U);
+  EXPECT_TRUE(facts.events[0].entries.empty());
+}
+
 TEST(ApplyBaseline, AnotherToolOrSetUpVoids) {
   Accepted tool;
   tool.model.tools[0].identity = "ball 12";
