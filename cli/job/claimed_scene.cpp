@@ -6,6 +6,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
 #include "lib/base/units.h"
+#include "lib/path/motion_key.h"
 
 namespace gouge {
 
@@ -161,6 +162,19 @@ StockDepths stock_depths_of(const CheckResult& result, const ClaimedStock& stock
   return depths;
 }
 
+namespace {
+
+/// Returns the hash of all motions, as a result lists them, and of the identities of all tools.
+std::string motions_digest(const Job& job) {
+  Sha256 hash;
+  for (std::size_t i = 0; i < job.toolpath.moves.size(); ++i)
+    hash.add(motion_key(job.toolpath, i).substr(0, kListedMotionDigits));
+  for (const ToolFacts& tool : job.tool_facts) hash.add(tool.identity);
+  return hash.finish();
+}
+
+}  // namespace
+
 std::string inputs_digest(const std::vector<InputFile>& inputs, const Job& job, const JobArguments& arguments) {
   std::string all;
   for (const InputFile& input : inputs) all += input.role + " " + input.checksum + "\n";
@@ -176,6 +190,7 @@ std::string inputs_digest(const std::vector<InputFile>& inputs, const Job& job, 
   add("shift", place.shift);
   add("rotation", place.rotation.reshaped<Eigen::RowMajor>());
   add("offsets", std::array{options.stock_to_leave_mm, options.shank_clearance_mm, options.holder_clearance_mm});
+  all += "motions " + motions_digest(job) + "\n";
   all += "rapids " + std::string(rapid_word(options.law.rapid())) + "\n";
   const auto stock = arguments.stock.empty() ? std::nullopt : parse_stock_shape(arguments.stock);
   if (stock && stock->kind != StockShape::Kind::file)

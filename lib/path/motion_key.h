@@ -8,6 +8,8 @@
 namespace gouge {
 
 inline constexpr std::size_t kMotionDigits = 32;
+/// Digits of each motion in the list `motions` of a result.
+inline constexpr std::size_t kListedMotionDigits = 12;
 
 /// Returns 32 hexadecimal digits that identify the motion of a move. They cover its two positions, its curve and kind,
 /// and whether it is checked at all. Two moves with the same key and the same tool sweep exactly the same space,

@@ -83,10 +83,11 @@ TEST(VerifyCommand, RefusesTheCertificateOfAnotherSetUp) {
   check({"--stl-units", "inch", "--assume", "placement", "--certificate", "inch.gcp", "-q"});
   check({"--stock-to-leave", "0.05", "--certificate", "offset.gcp", "-q"});
   check({"--rapid", "skip", "--certificate", "skip.gcp", "-q"});
+  check({"--path-units", "inch", "--assume", "placement", "--certificate", "path.gcp", "-q"});
   const auto verify_by = [&](const std::string& certificate) {
     return run_gougecheck(sample.path, {"verify", "result.json", "--certificate", certificate});
   };
-  for (const char* other : {"moved.gcp", "inch.gcp", "offset.gcp", "skip.gcp"}) {
+  for (const char* other : {"moved.gcp", "inch.gcp", "offset.gcp", "skip.gcp", "path.gcp"}) {
     const Outcome ran = verify_by(other);
     EXPECT_EQ(ran.exit_status, 3) << other << ran.out << ran.err;
     EXPECT_EQ(ran.out.find("refuted"), std::string::npos) << ran.out;
