@@ -220,7 +220,7 @@ class RecordMaker {
     for (std::size_t first = 0; first < path_.moves.size(); first += kMotionsOfText) {
       std::string& text = texts.emplace_back();
       const std::size_t end = std::min(first + kMotionsOfText, path_.moves.size());
-      for (std::size_t move = first; move < end; ++move) text.append(motion_key(path_, move), 0, kListedDigits);
+      for (std::size_t move = first; move < end; ++move) text.append(motion_key(path_, move), 0, kListedMotionDigits);
     }
     return texts;
   }
@@ -256,10 +256,11 @@ class RecordMaker {
     return record;
   }
 
-  /// Returns the statement of a move without its line end, cut after 2000 bytes.
+  /// Returns the statement of a move without its line end, cut after 2000 bytes; empty if it is no text.
   [[nodiscard]] std::string statement(const Move& move) const {
     constexpr std::size_t kMaxBytes = 2000;
     std::string_view text = statement_text(path_, move).substr(0, kMaxBytes);
+    if (!is_text(text)) return {};
     while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
     return std::string(text);
   }

@@ -242,11 +242,15 @@ std::string_view statement_text(const Toolpath& path, const Move& move) {
   return std::string_view(path.source).substr(s.first_byte, s.last_byte - s.first_byte);
 }
 
+bool is_text(std::string_view statement) {
+  return std::ranges::none_of(statement,
+                              [](char c) { return c >= 0 && c < ' ' && c != '\t' && c != '\r' && c != '\n'; });
+}
+
 std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move) {
   constexpr std::size_t kMaxLines = 3, kMaxBytes = 200;
   const std::string_view all = statement_text(toolpath, toolpath.moves[move]);
-  if (std::ranges::any_of(all, [](char c) { return c >= 0 && c < ' ' && c != '\t' && c != '\r' && c != '\n'; }))
-    return {};
+  if (!is_text(all)) return {};
   std::vector<std::string> lines;
   for (std::string_view rest = all.substr(0, all.find_last_not_of("\r\n") + 1); !rest.empty();) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());

@@ -77,6 +77,9 @@ struct UncutTotal {
 [[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
 /// Returns the bytes of a move's statement with its line end; empty if the path does not have them.
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
+/// Returns whether a statement can be shown: it has no control characters but tabs and line ends, unlike the binary
+/// records of NCCS.
+[[nodiscard]] bool is_text(std::string_view statement);
 
 /// Returns the statement of a move as in its file, up to three lines of at most 200 bytes. Longer text ends in " ...".
 /// Returns none if the move has no statement or the file is not text.

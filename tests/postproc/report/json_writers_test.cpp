@@ -125,6 +125,17 @@ TEST(WriteJson, ChangesCarryTheirCauseAndTheirRecordsAndSaysWhatIsUncut) {
   EXPECT_EQ(value["correction"]["low_rapids"][0]["keeps"], -0.25);
 }
 
+TEST(WriteJson, LeavesOutStatementsThatAreNoText) {
+  SmallReport report;
+  report.set_gouge(1, 0.25);
+  report.path.source = "GOTO/1,2,3\n";
+  report.path.statements = {SourceStatement{1, 0, report.path.source.size()}};
+  report.path.moves[1].statement = 0;
+  EXPECT_EQ(json::parse(write_json(report.model))["moves"][0]["statement"], "GOTO/1,2,3");
+  report.path.source = "\x01OTO/1,2,3\n";
+  EXPECT_EQ(json::parse(write_json(report.model))["moves"][0]["statement"], "");
+}
+
 TEST(WriteJson, HasTheCuresOfFindings) {
   SmallReport report;
   ASSERT_GE(report.result.events.size(), 2U);
