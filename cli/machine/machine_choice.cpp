@@ -340,6 +340,26 @@ Diagnostics describe_problems(const Machine& machine, const Toolpath& path, cons
   return notes;
 }
 
+/// Returns why a move is left open by a problem; empty: it is not. Values that differ from move to move are in the warning
+/// about the worst one, so that equal reasons are one line of the findings.
+std::string open_reason(const Machine& machine, const JointProblem& problem, const std::string& message) {
+  const Joint& joint = machine.joints[problem.joint];
+  switch (problem.kind) {
+    case JointProblem::Kind::limit:
+      return "the machine cannot be there: joint " + joint.name + " would be beyond its limit, " +
+             (is_rotary(joint) ? degrees : millimetres)(problem.limit);
+    case JointProblem::Kind::unreachable:
+      return "the machine cannot be there: " + message;
+    case JointProblem::Kind::undecided:
+      return "the motion of the machine is undecided: joint " + joint.name +
+             " may turn either way; add a position between, or set limits";
+    case JointProblem::Kind::flip:
+    case JointProblem::Kind::unwind:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 bool needs_turn(const TurnLaws& laws, bool has_heads) {
@@ -354,11 +374,8 @@ Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const
   path.joints = std::make_shared<const JointPath>(std::move(choice.path));
   Diagnostics notes = add_linear_limits(machine, tool_length_mm, path, choice.problems);
   for (const JointProblem& problem : choice.problems) {
-    const Diagnostic note = describe_problem(machine, path, problem);
-    if (problem.kind == JointProblem::Kind::limit || problem.kind == JointProblem::Kind::unreachable)
-      leave_unchecked("the machine cannot be there: " + note.message, problem.move, path);
-    if (problem.kind == JointProblem::Kind::undecided)
-      leave_unchecked("the motion of the machine is undecided: " + note.message, problem.move, path);
+    const std::string reason = open_reason(machine, problem, describe_problem(machine, path, problem).message);
+    if (!reason.empty()) leave_unchecked(reason, problem.move, path);
   }
   std::ranges::move(describe_problems(machine, path, choice.problems), std::back_inserter(notes));
   if (are_stated) leave_vectors_unchecked(law, is_turn_needed, path);
