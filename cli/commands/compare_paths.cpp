@@ -37,8 +37,9 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
   if (!forward || !backward)
     return fail(err, {make_error("path-no-motion", "holds no feed that is checked, so nothing can be compared",
                                  paths[forward ? 1 : 0].file)});
-  const PathComparison comparison{
+  PathComparison comparison{
       &paths[0], &paths[1], *forward, *backward, count_unchecked(paths[0]) + count_unchecked(paths[1]), same_within_mm};
+  if (comparison.tip_mm() > same_within_mm) comparison.relation = find_relation(paths[0], paths[1], same_within_mm);
   if (!arguments.json_file.empty()) {
     if (const Outcome written = write_output(arguments.json_file, comparison_json(comparison), out); !written)
       return fail(err, {written.error()}, kExitInternal);

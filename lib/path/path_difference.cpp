@@ -154,4 +154,57 @@ std::optional<PathDifference> measure_difference(const Toolpath& path, const Too
   return difference.positions > 0 ? std::optional(difference) : std::nullopt;
 }
 
+namespace {
+
+std::vector<Vec3> tips_of(const Toolpath& path) {
+  std::vector<Vec3> tips;
+  for (const Move& move : path.moves)
+    if (is_compared(move)) tips.push_back(move.end.tip);
+  return tips;
+}
+
+Vec3 low_corner(const std::vector<Vec3>& tips) {
+  Vec3 low = tips.front();
+  for (const Vec3& tip : tips) low = low.cwiseMin(tip);
+  return low;
+}
+
+PathRelation inverse(const PathRelation& r) { return {1 / r.factor, -r.shift_mm / r.factor}; }
+
+/// Returns whether every tip lies near a feed after a relation. A few tips that are spread over the path come first: a
+/// search of all feeds for every tip would be slow where the relation is wrong.
+bool lie_on(const std::vector<FeedChord>& feeds, const std::vector<Vec3>& tips, const PathRelation& relation,
+            double within_mm) {
+  constexpr std::size_t kFew = 20;
+  const auto lies_there = [&](Nearest& nearest, const Vec3& tip) {
+    return nearest.find({relation.factor * tip + relation.shift_mm, Vec3::UnitZ()}).tip_mm <= within_mm;
+  };
+  const std::size_t step = std::max<std::size_t>(1, tips.size() / kFew);
+  Nearest of_few(feeds, 0);
+  for (std::size_t i = 0; i < tips.size(); i += step)
+    if (!lies_there(of_few, tips[i])) return false;
+  Nearest of_all(feeds, 0);
+  return std::ranges::all_of(tips, [&](const Vec3& tip) { return lies_there(of_all, tip); });
+}
+
+}  // namespace
+
+std::optional<PathRelation> find_relation(const Toolpath& path, const Toolpath& other, double within_mm) {
+  constexpr double kMmPerInch = 25.4;
+  constexpr std::size_t kMinTips = 3;  // a shift relates any two paths of one tip
+  const std::vector<Vec3> tips = tips_of(path), other_tips = tips_of(other);
+  if (std::min(tips.size(), other_tips.size()) < kMinTips) return std::nullopt;
+  const std::vector<FeedChord> feeds = feeds_of(path), other_feeds = feeds_of(other);
+  const auto relates = [&](const PathRelation& relation) {
+    return lie_on(other_feeds, tips, relation, within_mm) && lie_on(feeds, other_tips, inverse(relation), within_mm);
+  };
+  if (relates({})) return std::nullopt;
+  const PathRelation candidates[] = {{kMmPerInch, Vec3::Zero()},
+                                     {1 / kMmPerInch, Vec3::Zero()},
+                                     {1, other_tips.front() - tips.front()},
+                                     {1, low_corner(other_tips) - low_corner(tips)}};
+  const auto* const found = std::ranges::find_if(candidates, relates);
+  return found == std::end(candidates) ? std::nullopt : std::optional(*found);
+}
+
 }  // namespace gouge

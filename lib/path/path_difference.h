@@ -29,4 +29,16 @@ struct PathDifference {
 [[nodiscard]] std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other,
                                                                double height_mm);
 
+/// A path whose tips are those of another one, times `factor`, then shifted.
+struct PathRelation {
+  double factor = 1;
+  Vec3 shift_mm = Vec3::Zero();
+};
+
+/// Finds a mistake of unit or place: a factor of 25.4 or 1/25.4, or a shift, after which the feed positions of each path
+/// lie within `within_mm` of the feeds of the other. Axes are not compared. Returns `other` as a relation of `path`; none:
+/// no such relation is found, a path has fewer than three such positions, or the paths are the same as they are.
+/// Cost     That of measure_difference for paths in the same order; less if there is no relation.
+[[nodiscard]] std::optional<PathRelation> find_relation(const Toolpath& path, const Toolpath& other, double within_mm);
+
 }  // namespace gouge

@@ -59,6 +59,20 @@ Json difference_json(const PathDifference& of, const Toolpath& path, const Toolp
           {"other_feed_rates", std::move(feeds)}};
 }
 
+std::string relation_text(const PathRelation& relation) {
+  if (relation.factor > 1) return row("relation", "NEW is OLD times 25.4: one is read in a wrong unit (--path-units)");
+  if (relation.factor < 1) return row("relation", "OLD is NEW times 25.4: one is read in a wrong unit (--path-units)");
+  std::string shift;
+  for (int k = 0; k < 3; ++k) shift += (k > 0 ? ", " : "") + display_text(relation.shift_mm[k], kDecimals);
+  return row("relation", "NEW is OLD shifted by (" + shift + ") mm: compare offsets, tool lengths and origins");
+}
+
+Json relation_json(const std::optional<PathRelation>& relation) {
+  if (!relation) return nullptr;
+  const Vec3& shift = relation->shift_mm;
+  return {{"factor", relation->factor}, {"shift_mm", Json::array({shift.x(), shift.y(), shift.z()})}};
+}
+
 std::string verdict_text(const PathComparison& c) {
   const std::string limit = display_text(c.same_within_mm, kDecimals) + " mm";
   if (c.exit_status() == kExitClean) return "same: no tip or axis differs by more than " + limit + "\n";
@@ -86,7 +100,7 @@ std::string comparison_text(const PathComparison& c) {
   return difference_text("OLD against NEW", c.forward, *c.before, *c.after) +
          difference_text("NEW against OLD", c.backward, *c.after, *c.before) +
          (c.unchecked > 0 ? row("moves not checked, not compared", std::to_string(c.unchecked)) : std::string()) +
-         verdict_text(c);
+         (c.relation ? relation_text(*c.relation) : std::string()) + verdict_text(c);
 }
 
 std::string comparison_json(const PathComparison& c) {
@@ -99,6 +113,7 @@ std::string comparison_json(const PathComparison& c) {
                      {"same_within_mm", c.same_within_mm},
                      {"height_mm", PathComparison::kHeight_mm},
                      {"not_compared", c.unchecked},
+                     {"relation", relation_json(c.relation)},
                      {"before_against_after", difference_json(c.forward, *c.before, *c.after)},
                      {"after_against_before", difference_json(c.backward, *c.after, *c.before)}};
   return json.dump(1) + "\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lib/base/exit_code.h"
@@ -18,6 +19,7 @@ struct PathComparison {
   PathDifference forward, backward;  ///< of `before` against `after`, and the reverse
   std::size_t unchecked = 0;         ///< moves of both paths that are not checked, and so not compared
   double same_within_mm = 0;
+  std::optional<PathRelation> relation = {};  ///< explains a difference of tips: `after` as a relation of `before`
 
   /// Return the largest distance of a tip, and that of a point at kHeight_mm by the turn of an axis.
   [[nodiscard]] double tip_mm() const;

@@ -216,6 +216,22 @@ TEST_F(Compare, ReadingsOfAPathAreComparedAsJson) {
   EXPECT_EQ(shop_.read("a.apt"), feeds);
 }
 
+TEST_F(Compare, AReadingInAnotherUnitOrPlaceIsExplained) {
+  const auto write = [&](const char* name, const std::string& unit, const std::string& z) {
+    shop_.write(name, "UNITS/" + unit + "\nFEDRAT/100,MMPM\nGOTO/0,0," + z + "\nGOTO/10,0," + z + "\nGOTO/10,7," + z +
+                          "\nGOTO/3,2," + z + "\nFINI\n");
+  };
+  write("mm.apt", "MM", "1");
+  write("inch.apt", "INCHES", "1");
+  write("higher.apt", "MM", "1.5");
+  const Outcome unit = shop_.run({"compare", "--paths", "inch.apt", "mm.apt", "--json", "c.json"});
+  EXPECT_EQ(unit.exit_status, 1);
+  EXPECT_NE(unit.out.find("OLD is NEW times 25.4: one is read in a wrong unit"), std::string::npos) << unit.out;
+  EXPECT_EQ(shop_.json("c.json").at("relation").at("factor"), 1 / 25.4);
+  const Outcome place = shop_.run({"compare", "--paths", "mm.apt", "higher.apt"});
+  EXPECT_NE(place.out.find("NEW is OLD shifted by (0, 0, 0.5) mm"), std::string::npos) << place.out;
+}
+
 TEST_F(Compare, AFactThatIsNotEstablishedAnyMoreIsNeverNoWorse) {
   const std::string text = path_text(stations({{40, -0.2}}));
   ASSERT_EQ(shop_.check("a", text).exit_status, 1);

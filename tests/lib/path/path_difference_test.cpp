@@ -75,5 +75,42 @@ TEST(PathDifference, FindsNoOtherFeedInItsOwnCopy) {
   EXPECT_EQ(measure_difference(path, path, kHeight_mm)->other_feeds, 0U);
 }
 
+Toolpath finishing_passes() {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 60; ++i) poses.push_back({{(i % 7) * 3.0, i * 0.5, (i % 3) * 0.2}, Vec3::UnitZ()});
+  Toolpath path = paths::through(poses);
+  for (Move& move : path.moves) move.kind = MoveKind::feed;
+  return path;
+}
+
+TEST(PathRelation, FindsAFactorOfInchesAndAShift) {
+  constexpr double kWithin_mm = 1e-3;
+  const Toolpath path = finishing_passes();
+  EXPECT_FALSE(find_relation(path, path, kWithin_mm).has_value());
+  Toolpath inches = path, shifted = path;
+  for (Move& move : inches.moves) move.end.tip *= 25.4;
+  for (Move& move : shifted.moves) move.end.tip += Vec3(10, 0, -5);
+  EXPECT_EQ(find_relation(path, inches, kWithin_mm)->factor, 25.4);
+  EXPECT_EQ(find_relation(inches, path, kWithin_mm)->factor, 1 / 25.4);
+  const auto relation = find_relation(path, shifted, kWithin_mm);
+  ASSERT_TRUE(relation.has_value());
+  EXPECT_EQ(relation->factor, 1);
+  EXPECT_LT((relation->shift_mm - Vec3(10, 0, -5)).norm(), 1e-12);
+  shifted.moves[31].end.tip.z() += 0.01;
+  EXPECT_FALSE(find_relation(path, shifted, kWithin_mm).has_value()) << "one position is not explained";
+}
+
+TEST(PathRelation, FindsAShiftWhereOnePathBeginsEarlier) {
+  const Toolpath path = finishing_passes();
+  Toolpath other = path;
+  for (Move& move : other.moves) move.end.tip += Vec3(0, 0, 2);
+  Move before = other.moves.front();
+  before.end.tip += Vec3(1.5, 0.25, 0.5);
+  other.moves.insert(other.moves.begin() + 1, before);
+  EXPECT_FALSE(find_relation(path, other, 1e-3).has_value()) << "the position between is not on the other path";
+  other.moves[1].end.tip = 0.5 * (other.moves[0].end.tip + other.moves[2].end.tip);
+  EXPECT_TRUE(find_relation(path, other, 1e-3).has_value());
+}
+
 }  // namespace
 }  // namespace gouge::path_difference_test
