@@ -1,0 +1,106 @@
+#include "cli/commands/verify_result.h"
+
+#include <utility>
+
+#include "lib/base/files.h"
+#include "lib/base/sha256.h"
+
+namespace gouge {
+
+namespace {
+
+/// Returns the inputs that differ from those of the result.
+Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& result, std::uint64_t max_bytes) {
+  std::vector<Verification::Refuted> changed;
+  for (const InputFile& input : result.inputs) {
+    if (input.name == "-")
+      return make_error("verify-input", "the " + input.role +
+                                            " of this result was read from standard input; expected a file: check it "
+                                            "again by its name");
+    const Result<FileView> file = view_file(input.name, max_bytes);
+    if (!file) {
+      Diagnostic error = file.error();
+      if (error.code == "file-not-found")
+        error.message = "there is no such file, nor in the folder of the result or in one above it; expected the " +
+                        input.role + " that was checked";
+      return error;
+    }
+    if ("sha256:" + sha256_of(file->bytes) == input.checksum) continue;
+    Verification::Refuted one;
+    one.what = "the " + input.role + " " + input.name + " is not the file that was checked (its SHA-256 differs)";
+    changed.push_back(std::move(one));
+  }
+  return changed;
+}
+
+bool are_same(const std::vector<InputFile>& a, const std::vector<InputFile>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const InputFile& x, const InputFile& y) {
+    return x.role == y.role && x.checksum == y.checksum;
+  });
+}
+
+/// Returns the error about a result that does not name the files of all inputs.
+std::optional<Diagnostic> find_not_recorded(const std::string& file, const ClaimedResult& result) {
+  if (result.not_recorded.empty() || result.digest != DigestState::right) return std::nullopt;
+  return make_error("verify-input",
+                    "the result does not name the file of the " + result.not_recorded +
+                        ", which was in memory of the library or of Python; expected files for all inputs",
+                    file);
+}
+
+/// Verifies the claims of `one.result`, whose inputs are unchanged.
+void verify_unchanged(const std::string& file, const NamedCertificate& certificate, double seconds, Progress& progress,
+                      VerifiedResult& one) {
+  const ClaimedResult& result = one.result;
+  LoadedJob loaded = load_job(result.arguments, result.options, progress);
+  if (!loaded.job) {
+    one.errors = std::move(loaded.errors);
+    return;
+  }
+  std::optional<LoadedStock> stock;
+  if (!result.arguments.stock.empty()) {
+    stock = load_stock(result.arguments, *loaded.job, progress, one.errors);
+    if (!stock) return;
+  }
+  if (!are_same(loaded.job->inputs, result.inputs)) {
+    one.errors = {make_error("input-changed", "the inputs changed while they were read; run it again", file)};
+    return;
+  }
+  one.notes = loaded.job->notes;
+  Result<Verification> verification =
+      verify_claims(*loaded.job, stock ? &*stock : nullptr, result, certificate, seconds, progress);
+  if (verification)
+    one.verification = std::move(*verification);
+  else
+    one.errors = {verification.error()};
+}
+
+}  // namespace
+
+VerifiedResult verify_result(const std::string& file, std::string_view bytes, const NamedCertificate& certificate,
+                             const VerifyArguments& arguments, double seconds, Progress& progress) {
+  VerifiedResult one;
+  Result<ClaimedResult> result = read_claimed_result(file, bytes);
+  if (!result) {
+    one.errors = {result.error()};
+    return one;
+  }
+  if (const auto missing = find_not_recorded(file, *result)) {
+    one.errors = {*missing};
+    return one;
+  }
+  one.result = std::move(*result);
+  one.result.arguments.input = arguments.input;
+  one.result.options.check.threads = arguments.threads;
+  Result<std::vector<Verification::Refuted>> changed = find_changed(one.result, arguments.input.max_bytes);
+  if (!changed) {
+    one.errors = {changed.error()};
+  } else if (!changed->empty()) {
+    one.verification.emplace().refuted = std::move(*changed);
+  } else {
+    verify_unchanged(file, certificate, seconds, progress, one);
+  }
+  return one;
+}
+
+}  // namespace gouge
