@@ -16,6 +16,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
+#include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/rotary_law.h"
 #include "lib/path/path_info.h"
 #include "postproc/formats/read_toolpath.h"
