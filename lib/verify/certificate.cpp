@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/file_kind.h"
 #include "lib/verify/certificate_reader.h"
 #include "lib/verify/surface_claims.h"
 #include "lib/verify/zstd_stream.h"
@@ -30,11 +31,14 @@ std::string_view magic_for(const StockClaims* stock) {
   return stock != nullptr ? kStockCertificateMagic : kCertificateMagic;
 }
 
-std::string what_is_wrong_with(std::string_view magic, const StockClaims* stock) {
+std::string what_is_wrong_with(std::string_view bytes, const StockClaims* stock) {
+  const std::string_view magic = bytes.substr(0, magic_for(stock).size());
   if (magic == kCertificateMagic)
     return "it has no proofs about stock; expected the certificate that was written with this result";
   if (magic == kStockCertificateMagic && stock == nullptr)
     return "it has proofs about stock, and the result has no stock; expected the certificate of this result";
+  if (const auto kind = recognise_file({}, bytes); kind && kind->family == FileFamily::stand_in)
+    return "is " + std::string(kind->name) + "; " + std::string(kind->advice);
   return "it is no certificate of this version; expected a file of 'gougecheck check --certificate'";
 }
 
@@ -194,7 +198,7 @@ Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const S
                                               const ProgressCall& progress, const StockClaims* stock) {
   const std::string_view magic = magic_for(stock);
   if (bytes.substr(0, magic.size()) != magic)
-    return make_error("certificate-invalid", what_is_wrong_with(bytes.substr(0, magic.size()), stock), name);
+    return make_error("certificate-invalid", what_is_wrong_with(bytes, stock), name);
   CertificateReader reader(name, bytes.substr(magic.size()), claims.size());
   if (const Outcome header = reader.read_header(header_for(scene, orders, inputs, stock)); !header)
     return header.error();

@@ -100,6 +100,14 @@ TEST(JsonFile, NamesTheKindOfAFileThatIsNoJson) {
   EXPECT_NE(error_of("some words").find("this is not JSON: there is a mistake"), std::string::npos);
 }
 
+TEST(JsonFile, StatesHowToGetAFileThatAnotherStandsInFor) {
+  EXPECT_EQ(
+      error_of("version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 9\n"),
+      "a.json: error: is a pointer of Git LFS, not the file itself; get the file with 'git lfs pull' [some-syntax]");
+  EXPECT_EQ(error_of("\x1f\x8b\x08 \"" + std::string(20'000'000, 'x')),
+            "a.json: error: is a compressed file (gzip); unpack it first [some-syntax]");
+}
+
 TEST(JsonFile, NamesTheUsualMistakes) {
   const auto error_of = [](const std::string& text) {
     const Result<JsonFile> parsed = parse_json("a.json", text, {"syntax", "twice", "a list"});
