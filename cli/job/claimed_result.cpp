@@ -19,17 +19,19 @@ namespace gouge {
 namespace {
 
 /// Returns the name of a file as stated by the result, or its place in the folder of the result or in one above it if only
-/// that exists.
+/// that exists. Behind a symbolic link these folders are those of the name as typed, then those of its target.
 std::string found_at(const std::string& name, const std::string& result_file) {
   namespace fs = std::filesystem;
   std::error_code error;
   if (fs::exists(name, error)) return name;
-  fs::path folder = fs::absolute(result_file, error).parent_path();
-  for (;; folder = folder.parent_path()) {
-    const fs::path there = folder / fs::path(name);
-    if (fs::exists(there, error)) return there.string();
-    if (folder == folder.parent_path()) return name;
+  for (const fs::path& result : {fs::absolute(result_file, error), fs::weakly_canonical(result_file, error)}) {
+    for (fs::path folder = result.parent_path();; folder = folder.parent_path()) {
+      const fs::path there = folder / fs::path(name);
+      if (fs::exists(there, error)) return there.string();
+      if (folder == folder.parent_path()) break;
+    }
   }
+  return name;
 }
 
 /// Takes from a record the data that a verification needs. `root` gives errors their place.

@@ -186,6 +186,9 @@ TEST(VerifyCommand, FindsInputsInTheFoldersAboveAReport) {
   const std::vector<std::string> report{"--report", "deep/er/rep", "-q"};
   EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), report)).exit_status, 1);
   EXPECT_EQ(run_gougecheck("/", {"verify", sample.path + "/deep/er/rep", "-q"}).exit_status, 0);
+  const std::string link = std::filesystem::path(sample.path).parent_path().string() + "/link";
+  std::filesystem::create_directory_symlink(sample.path + "/deep/er", link);
+  EXPECT_EQ(run_gougecheck("/", {"verify", link + "/rep", "-q"}).exit_status, 0) << "the folders of its target";
   std::filesystem::remove(sample.path + "/part.stl");
   const Outcome ran = run_gougecheck("/", {"verify", sample.path + "/deep/er/rep"});
   EXPECT_EQ(ran.exit_status, 3);
