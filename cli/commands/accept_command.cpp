@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -270,32 +271,32 @@ class Acceptor {
   Diagnostics refused_;
 };
 
-/// Returns the files of all results; the folder of a batch stands for the results of its jobs.
-Result<std::vector<std::string>> result_files(const AcceptArguments& arguments) {
-  std::vector<std::string> files;
+/// Returns all results that were named; the folder of a batch stands for the results of its jobs. Single results have
+/// no job name.
+Result<std::vector<ListedJob>> named_results(const AcceptArguments& arguments) {
+  std::vector<ListedJob> all;
   for (const std::string& typed : arguments.results) {
     if (!is_batch_folder(typed)) {
       if (const auto interrupted = refuse_batch_folder(typed)) return *interrupted;
-      files.push_back(result_in(typed));
+      all.push_back({{}, {}, result_in(typed)});
       continue;
     }
     const Result<std::vector<ListedJob>> jobs = read_batch_jobs(typed, arguments.input);
     if (!jobs) return jobs.error();
-    const std::size_t before = files.size();
-    for (const ListedJob& job : *jobs)
-      if (!job.result_file.empty()) files.push_back(job.result_file);
-    if (files.size() == before)
+    const std::size_t before = all.size();
+    std::ranges::copy_if(*jobs, std::back_inserter(all), [](const ListedJob& job) { return !job.result_file.empty(); });
+    if (all.size() == before)
       return make_error("usage",
                         typed + " is the folder of a batch without reports; run it again without --no-reports");
   }
-  return files;
+  return all;
 }
 
-Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments,
-                                               const std::vector<std::string>& files) {
+Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments, const std::vector<ListedJob>& named) {
   std::vector<StoredResult> results;
-  for (const std::string& file : files) {
-    Result<StoredResult> result = load_result(file, arguments.input);
+  for (const ListedJob& one : named) {
+    Result<StoredResult> result =
+        one.name.empty() ? load_result(one.result_file, arguments.input) : load_job_result(one, arguments.input);
     if (!result) return result.error();
     results.push_back(std::move(*result));
   }
@@ -327,15 +328,15 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   if (const auto wrong = find_wrong_word(arguments)) return fail(err, {*wrong});
   const OutputTable outputs = asked_for({{"-o", arguments.output}});
   std::vector<InputOption> inputs;
-  const Result<std::vector<std::string>> files = result_files(arguments);
-  if (!files) return fail(err, {files.error()});
-  if (files->size() > 1 && !arguments.findings.empty())
+  const Result<std::vector<ListedJob>> named = named_results(arguments);
+  if (!named) return fail(err, {named.error()});
+  if (named->size() > 1 && !arguments.findings.empty())
     return fail(err, {make_error("usage",
                                  "accept takes --finding for one result, as each result has its own numbers; give one "
                                  "RESULT, or --all")});
-  for (const std::string& file : *files) inputs.push_back({"the result", file});
+  for (const ListedJob& one : *named) inputs.push_back({"the result", one.result_file});
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
-  const Result<std::vector<StoredResult>> results = read_results(arguments, *files);
+  const Result<std::vector<StoredResult>> results = read_results(arguments, *named);
   if (!results) return fail(err, {results.error()});
   if (is_accepting(arguments)) return accept(arguments, *results, out, err);
   for (const StoredResult& result : *results) list(result, out);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cli/commands/batch_results.h"
-#include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
 #include "lib/base/exit_code.h"
 #include "postproc/compare/batch_comparison.h"
@@ -24,7 +23,7 @@ const ListedJob* find_job(const ListedJobs& jobs, const std::string& name) {
 /// Returns the result of a job; null if it has none.
 Result<std::unique_ptr<const StoredResult>> load(const ListedJob* job, const InputLimit& limit) {
   if (job == nullptr || job->result_file.empty()) return std::unique_ptr<const StoredResult>();
-  Result<StoredResult> result = load_result(job->result_file, limit);
+  Result<StoredResult> result = load_job_result(*job, limit);
   if (!result) return result.error();
   return std::make_unique<const StoredResult>(std::move(*result));
 }

@@ -50,29 +50,46 @@ std::string verified_text(const Verification& v) {
   return text;
 }
 
-std::string sampled_text(const Verification& v) {
+std::string attack_text(const Verification& v) {
   std::string text;
-  const auto add = [&](const std::string& what) { text += "only sampled: " + what + "\n"; };
-  if (v.sampled_clean > 0)
-    add(moves(v.sampled_clean) + " said to be clean" + (v.has_certificate ? "" : " (no certificate)"));
-  if (v.sampled_gouges > 0) add("the bound of the depth of " + count_text(v.sampled_gouges, "gouging move"));
-  if (v.outside.sampled > 0)
-    add("that " + moves(v.outside.sampled) + " are outside of all solids, by a winding number");
-  if (v.has_heads) add("the heads, in some instants");
   if (v.attack.samples > 0)
     text += "attacked: nothing deeper than said was found in " + count_text(v.attack.samples, "instant") + " of " +
             moves(v.attack.moves) + "\n";
-  if (v.stock) {
-    if (v.sampled_stock > 0)
-      add(moves(v.sampled_stock) + " said to be clear of the stock, or to meet it no deeper than said");
-    text += "attacked: no stock was left at " + count_text(v.stock->samples, "place") + " of these moves\n";
-  }
+  if (v.stock) text += "attacked: no stock was left at " + count_text(v.stock->samples, "place") + " of these moves\n";
   return text;
 }
 
-std::string uncovered_text(const Verification& v) {
+std::string prefixed(const char* word, const std::vector<std::string>& parts) {
   std::string text;
-  const auto add = [&](const std::string& what) { text += "not covered: " + what + "\n"; };
+  for (const std::string& part : parts) text += std::string(word) + ": " + part + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> refutation_lines(const Verification& v, const ClaimedResult& result) {
+  std::vector<std::string> lines;
+  for (const Verification::Refuted& one : v.refuted) lines.push_back(refutation(one, result));
+  return lines;
+}
+
+std::vector<std::string> sampled_parts(const Verification& v) {
+  std::vector<std::string> parts;
+  if (v.sampled_clean > 0)
+    parts.push_back(moves(v.sampled_clean) + " said to be clean" + (v.has_certificate ? "" : " (no certificate)"));
+  if (v.sampled_gouges > 0)
+    parts.push_back("the bound of the depth of " + count_text(v.sampled_gouges, "gouging move"));
+  if (v.outside.sampled > 0)
+    parts.push_back("that " + moves(v.outside.sampled) + " are outside of all solids, by a winding number");
+  if (v.has_heads) parts.emplace_back("the heads, in some instants");
+  if (v.stock && v.sampled_stock > 0)
+    parts.push_back(moves(v.sampled_stock) + " said to be clear of the stock, or to meet it no deeper than said");
+  return parts;
+}
+
+std::vector<std::string> uncovered_parts(const Verification& v) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::string what) { parts.push_back(std::move(what)); };
   if (v.uncovered > 0) add(moves(v.uncovered) + " that the result itself calls not checked, not certified or buried");
   if (!v.without_proof.empty())
     add(moves(v.without_proof.size()) +
@@ -85,12 +102,18 @@ std::string uncovered_text(const Verification& v) {
   if (v.outside.unexamined > 0)
     add("whether " + moves(v.outside.unexamined) + " of tools with a thin body are outside of all solids");
   if (v.has_excess) add("the material that the result states to be left on the parts");
-  text +=
-      "not part of a verification: overcut, that no move is nearer than said, how far thin features reach into a solid\n";
-  return text;
+  return parts;
 }
 
-}  // namespace
+const char* not_part_of_a_verification() {
+  return "not part of a verification: overcut, that no move is nearer than said, how far thin features reach into a "
+         "solid\n";
+}
+
+bool is_all_proved(const Verification& v) {
+  return v.has_certificate && !v.has_heads &&
+         v.sampled_clean + v.sampled_gouges + v.sampled_stock + v.outside.sampled == 0;
+}
 
 std::string verification_text(const Verification& v, const ClaimedResult& result) {
   std::string text;
@@ -99,12 +122,11 @@ std::string verification_text(const Verification& v, const ClaimedResult& result
   if (v.refuted.size() > kMaxLines) text += "and " + std::to_string(v.refuted.size() - kMaxLines) + " more\n";
   if (!v.refuted.empty())
     return text + "result: refuted; it is not right, or its inputs are not those that were checked\n";
-  text += verified_text(v) + sampled_text(v) + uncovered_text(v);
+  text += verified_text(v) + prefixed("only sampled", sampled_parts(v)) + attack_text(v) +
+          prefixed("not covered", uncovered_parts(v)) + not_part_of_a_verification();
   if (exit_status(v) != kExitClean) return text + "result: not refuted, but not all of it is covered\n";
-  const bool is_all_proved = v.has_certificate && !v.has_heads &&
-                             v.sampled_clean + v.sampled_gouges + v.sampled_stock + v.outside.sampled == 0;
-  return text + (is_all_proved ? "result: verified\n"
-                               : "result: not refuted; what is only sampled may be wrong all the same\n");
+  return text + (is_all_proved(v) ? "result: verified\n"
+                                  : "result: not refuted; what is only sampled may be wrong all the same\n");
 }
 
 }  // namespace gouge
