@@ -12,7 +12,6 @@
 #include <ctime>
 #include <filesystem>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -92,10 +91,10 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
                       "accept needs --finding, the number of what is accepted, or --all; without any other option it "
                       "lists the findings of a result");
   }
-  std::vector<std::uint32_t> numbers = a.findings;
-  std::ranges::sort(numbers);
-  if (const auto twice = std::ranges::adjacent_find(numbers); twice != numbers.end())
-    return make_error("usage", "--finding names finding " + std::to_string(*twice) + " twice; expected each once");
+  std::vector<ChosenFinding> findings = a.findings;
+  std::ranges::sort(findings);
+  if (const auto twice = std::ranges::adjacent_find(findings); twice != findings.end())
+    return make_error("usage", "--finding names finding " + twice->text() + " twice; expected each once");
   for (const auto& [option, typed] : {std::pair("--reason", &a.reason), std::pair("--by", &a.by)})
     if (!is_utf8(*typed)) return usage_error(option, *typed, "text in UTF-8");
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
@@ -116,30 +115,15 @@ Diagnostics doubts_about_date(const AcceptArguments& a) {
   return {make_warning("accept-date", "--date " + a.date + " is in the future; today is " + date_of(now) + " (UTC)")};
 }
 
-/// Numbers of findings, from `first` to `last`.
-struct NumberRange {
-  std::uint32_t first = 0, last = 0;
-};
-
-/// Parses "3" or "3-6". Nothing: another text, or a range that is empty or has more numbers than a result has findings.
-std::optional<NumberRange> parse_range(const std::string& text) {
-  constexpr std::int64_t kMost = 1'000'000;
-  const std::size_t dash = text.find('-');
-  const auto first = parse_integer(text.substr(0, dash));
-  const auto last = dash == std::string::npos ? first : parse_integer(text.substr(dash + 1));
-  if (!first || !last || *first < 0 || *last < *first || *last - *first >= kMost ||
-      *last > std::numeric_limits<std::uint32_t>::max() - 1)
-    return std::nullopt;
-  return NumberRange{static_cast<std::uint32_t>(*first), static_cast<std::uint32_t>(*last)};
-}
-
-void list(const StoredResult& result, std::ostream& out) {
+/// Lists the findings of a result with the words for --finding. `job` is empty for a single result.
+void list(const std::string& job, const StoredResult& result, std::ostream& out) {
   std::vector<const EventRecord*> findings;
   for (const EventRecord& finding : result.findings) findings.push_back(&finding);
   std::ranges::sort(findings, {}, &EventRecord::number);
   for (const EventRecord* finding : findings) {
-    out << printable(std::to_string(*finding->number) + "  " + result.record.toolpath.file + ":" +
-                     std::to_string(finding->line) + ": " + stored_finding_text(result, *finding))
+    const ChosenFinding chosen{job, static_cast<std::uint32_t>(*finding->number)};
+    out << printable(chosen.text() + "  " + result.record.toolpath.file + ":" + std::to_string(finding->line) + ": " +
+                     stored_finding_text(result, *finding))
         << "\n";
   }
   out << count_text(findings.size(), "finding") << " in " << printable(result.file) << "\n";
@@ -171,14 +155,15 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
           "--finding",
           [&arguments](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) {
-              const NumberRange range = *parse_range(text);
-              for (std::uint32_t number = range.first; number <= range.last; ++number)
-                arguments.findings.push_back(number);
+              const std::vector<ChosenFinding> findings = *parse_findings(text);
+              arguments.findings.insert(arguments.findings.end(), findings.begin(), findings.end());
             }
           },
-          "Numbers of the findings to accept: 3, 3,4 or 3-6 (repeatable; default: list all findings)")
+          "Numbers of the findings to accept: 3, 3,4 or 3-6; for a job of a batch JOB:3 or JOB:3-6 (repeatable; default: "
+          "list all findings)")
       ->check([](const std::string& text) {
-        return parse_range(text) ? std::string() : "expected the number of a finding, or a range such as 3-6";
+        return parse_findings(text) ? std::string()
+                                    : "expected the number of a finding, or a range such as 3-6, or JOB:3-6";
       })
       ->delimiter(',')
       ->type_name("N")
@@ -197,7 +182,9 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       "  gougecheck accept report/result.json\n"
       "  gougecheck accept report/result.json --finding 3 --reason \"stock allowance\" \\\n"
       "      --by \"R. Miller\" -o accepted.json\n"
-      "  gougecheck accept night/reports/*/result.json --all --reason \"prototype\" \\\n"
+      "  gougecheck accept night --finding op10:3 --finding op20:1-4 --reason \"stock allowance\" \\\n"
+      "      --by \"R. Miller\" -o accepted.json\n"
+      "  gougecheck accept night --all --reason \"prototype\" \\\n"
       "      --by \"R. Miller\" -o accepted.json\n"
       "  gougecheck check part.apt --part part.stl --baseline accepted.json\n\n"
       "An acceptance holds for these motions up to this depth, with this tool, part, place, tolerance and "
@@ -216,10 +203,11 @@ class Acceptor {
         before_(accepted.size()),
         accepted_(std::move(accepted)) {}
 
-  /// Accepts the findings that were asked for by their numbers.
-  Outcome accept_named(const StoredResult& result) {
-    for (const std::uint32_t number : arguments_.findings) {
-      if (Outcome added = add(result, number); !added) return added;
+  /// Accepts the findings of a result that were asked for by their numbers. Those without a job belong to the only result.
+  Outcome accept_named(const std::string& job, const StoredResult& result) {
+    for (const ChosenFinding& finding : arguments_.findings) {
+      if (!finding.job.empty() && finding.job != job) continue;
+      if (Outcome added = add(result, finding.number); !added) return added;
     }
     return Done{};
   }
@@ -303,15 +291,16 @@ Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments,
   return results;
 }
 
-int accept(const AcceptArguments& arguments, const std::vector<StoredResult>& results, std::ostream& out,
-           std::ostream& err) {
+int accept(const AcceptArguments& arguments, const std::vector<ListedJob>& named,
+           const std::vector<StoredResult>& results, std::ostream& out, std::ostream& err) {
   const FolderLock lock(arguments.output);
   Result<std::vector<Acceptance>> existing = read_existing(arguments.output, arguments.input);
   if (!existing) return fail(err, {existing.error()});
   Acceptor acceptor(arguments, std::move(*existing));
-  for (const StoredResult& result : results) {
-    if (arguments.is_all) acceptor.accept_all(result);
-    if (const Outcome named = acceptor.accept_named(result); !named) return fail(err, {named.error()});
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    if (arguments.is_all) acceptor.accept_all(results[k]);
+    if (const Outcome added = acceptor.accept_named(named[k].name, results[k]); !added)
+      return fail(err, {added.error()});
   }
   if (acceptor.is_to_write()) {
     if (const Outcome written = write_output(arguments.output, acceptor.bytes(), out); !written)
@@ -330,16 +319,13 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   std::vector<InputOption> inputs;
   const Result<std::vector<ListedJob>> named = named_results(arguments);
   if (!named) return fail(err, {named.error()});
-  if (named->size() > 1 && !arguments.findings.empty())
-    return fail(err, {make_error("usage",
-                                 "accept takes --finding for one result, as each result has its own numbers; give one "
-                                 "RESULT, or --all")});
+  if (const auto wrong = find_wrong_choice(arguments.findings, *named)) return fail(err, {*wrong});
   for (const ListedJob& one : *named) inputs.push_back({"the result", one.result_file});
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   const Result<std::vector<StoredResult>> results = read_results(arguments, *named);
   if (!results) return fail(err, {results.error()});
-  if (is_accepting(arguments)) return accept(arguments, *results, out, err);
-  for (const StoredResult& result : *results) list(result, out);
+  if (is_accepting(arguments)) return accept(arguments, *named, *results, out, err);
+  for (std::size_t k = 0; k < results->size(); ++k) list((*named)[k].name, (*results)[k], out);
   return kExitClean;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
+#include "cli/commands/chosen_findings.h"
 #include "cli/options/reading_options.h"
 
 namespace CLI {
@@ -15,7 +15,7 @@ namespace gouge {
 
 struct AcceptArguments {
   std::vector<std::string> results;
-  std::vector<std::uint32_t> findings;  ///< numbers of findings to accept
+  std::vector<ChosenFinding> findings;  ///< to accept
   bool is_all = false;                  ///< every finding of every result; without numbers: list all findings
   std::string reason, by, date;         ///< an empty date means today
   std::string output;

@@ -383,6 +383,42 @@ TEST_F(Accept, TheFolderOfABatchStandsForItsResults) {
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
 }
 
+TEST_F(Accept, FindingsOfOneJobOfABatchAreNamedByTheJob) {
+  shop_.write("part.stl", plate_stl());
+  const std::string deep = path_text(stations({{30, -0.2}, {60, -0.3}, {80, -0.1}}));
+  shop_.write("one.apt", deep);
+  shop_.write("two-3.apt", path_text(stations(kDeep)));
+  ASSERT_EQ(shop_.run({"batch", "one.apt", "two-3.apt", "--part", "part.stl", "-o", "night", "-q"}).exit_status, 1);
+  const Outcome listed = shop_.run({"accept", "night"});
+  EXPECT_EQ(listed.out.find("one:1  one.apt:"), 0U) << listed.out;
+  EXPECT_NE(listed.out.find("\ntwo-3:1  two-3.apt:"), std::string::npos) << listed.out;
+  const auto accepted = [&](Words words) {
+    const Words note = {"--reason", "r", "--by", "b", "-o", "accepted.json"};
+    words.insert(words.begin(), {"accept", "night"});
+    words.insert(words.end(), note.begin(), note.end());
+    return shop_.run(words);
+  };
+  ASSERT_EQ(accepted({"--finding", "one:1-2", "--finding", "two-3:1"}).exit_status, 0);
+  const auto entries = shop_.json("accepted.json").at("accepted");
+  ASSERT_EQ(entries.size(), 3U);
+  EXPECT_EQ(entries[0].at("toolpath"), "one.apt");
+  EXPECT_EQ(entries[2].at("toolpath"), "two-3.apt");
+  for (const auto& [finding, message] :
+       {std::pair("three:1", "there is no result of a job 'three'"), {"1", "expected JOB:1 for a job of a batch"}}) {
+    const Outcome ran = accepted({"--finding", finding});
+    EXPECT_EQ(ran.exit_status, 2) << finding;
+    EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
+  }
+  for (const char* wrong : {"one:", ":1", "one:x", "one:3-1", "one:1,2"})
+    EXPECT_EQ(accepted({"--finding", wrong}).exit_status, 2) << wrong;
+  EXPECT_EQ(accepted({"--finding", "one:9"}).exit_status, 2);
+  const Outcome twice =
+      shop_.run({"accept", "night", "night", "--finding", "one:3", "--reason", "r", "--by", "b", "-o", "c.json"});
+  EXPECT_EQ(twice.exit_status, 2);
+  EXPECT_NE(twice.err.find("there are several results of a job 'one'"), std::string::npos) << twice.err;
+  EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), 3U);
+}
+
 TEST_F(Accept, TextThatIsNotUtf8IsRefused) {
   ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
   const Outcome ran =
