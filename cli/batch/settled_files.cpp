@@ -67,9 +67,9 @@ FileStamps SettledFiles::look(double now_s) {
 namespace fs = std::filesystem;
 
 Outcome write_batch_files(ReportFolder& folder, const std::vector<JobResult>& results, const SignOff& sign_off) {
-  const Outcome staged = folder.stage({{"index.html", write_batch_page(results, sign_off), ""},
+  const Outcome staged = folder.stage({{kBatchPageName, write_batch_page(results, sign_off), ""},
                                        {"summary.csv", write_summary_csv(results), ""},
-                                       {"summary.json", write_summary_json(results), ""},
+                                       {kBatchSummaryName, write_summary_json(results), ""},
                                        {"junit.xml", write_batch_junit(results), ""},
                                        {"findings.sarif", write_batch_sarif(results), ""}});
   return staged ? folder.commit() : staged;

@@ -17,9 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of a result in the folder of its report, also if that folder is no longer there.
-constexpr const char* kJobResultName = "result.json";
-
 /// Returns the error about a summary that is not the one that the manifest of the batch lists; none without a manifest.
 std::optional<Diagnostic> find_edited_summary(const std::string& folder, const std::string& summary,
                                               std::string_view bytes) {
@@ -38,12 +35,15 @@ std::optional<Diagnostic> find_edited_summary(const std::string& folder, const s
 
 /// Reads the object of a job in the summary. Throws std::exception if it is none.
 ListedJob job_of(const nlohmann::json& object, const std::string& folder) {
-  ListedJob job{object.at("job"), object.at("verdict"), {}};
+  ListedJob job{object.at("job"), object.at("verdict")};
   job.command = object.at("command");
   if (const auto& status = object.at("status"); !status.is_null()) job.status = status.get<int>();
   job.messages = object.at("messages").get<std::vector<std::string>>();
-  if (const auto& report = object.at("report"); !report.is_null())
-    job.result_file = (fs::path(folder) / report.get<std::string>()).replace_filename(kJobResultName).string();
+  if (const auto& report = object.at("report"); !report.is_null()) {
+    const fs::path page = fs::path(folder) / report.get<std::string>();
+    job.report_file = page.string();
+    job.result_file = fs::path(page).replace_filename(kResultName).string();
+  }
   for (const auto& output : object.at("outputs")) {
     const fs::path file = fs::path(folder) / output.at("file").get<std::string>();
     const std::string sha256 = output.at("sha256");

@@ -20,7 +20,8 @@ struct WrittenFile {
 /// A job in the summary of a batch.
 struct ListedJob {
   std::string name, verdict;
-  std::string result_file;  ///< empty: the job has no report
+  std::string result_file = {};  ///< empty: the job has no report
+  std::string report_file = {};  ///< the page of the report; empty: the job has none
   std::string command = {};
   std::optional<int> status = {};        ///< none: the job has not run
   std::string result_sha256 = {};        ///< of the result that the job wrote; empty: not stated

@@ -1,12 +1,15 @@
 #include "cli/commands/compare_batches.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/batch_results.h"
 #include "cli/output/output_file.h"
+#include "cli/output/report_folder.h"
 #include "lib/base/exit_code.h"
 #include "postproc/compare/batch_comparison.h"
 
@@ -32,6 +35,34 @@ std::string why_not(const ListedJob* before, const ListedJob* after) {
   if (after == nullptr) return "the new batch has no such job";
   if (after->result_file.empty()) return "the new batch has no report of it";
   return before == nullptr ? "the old batch has no such job" : "the old batch has no report of it";
+}
+
+/// Returns a file as a link of the page `html_file`, relative to its folder or, for standard output, to the present one.
+std::string link_from(const std::string& html_file, const std::string& file) {
+  namespace fs = std::filesystem;
+  const bool is_stdout = html_file.empty() || html_file == "-";
+  const fs::path folder =
+      is_stdout ? fs::path(canonical_place(".")) : fs::path(canonical_place(html_file)).parent_path();
+  return fs::path(canonical_place(file)).lexically_relative(folder).string();
+}
+
+/// Adds the links to the pages that both batches have.
+void add_links(BatchComparison& batches, const ListedJobs& before, const ListedJobs& after,
+               const std::string& html_file) {
+  const auto link_to = [&](const std::string& file) {
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored) ? link_from(html_file, file) : std::string();
+  };
+  const auto report_of = [&](const ListedJobs& jobs, const std::string& name) {
+    const ListedJob* const job = find_job(jobs, name);
+    return job == nullptr || job->report_file.empty() ? std::string() : link_to(job->report_file);
+  };
+  batches.page_before = link_to((std::filesystem::path(batches.before) / kBatchPageName).string());
+  batches.page_after = link_to((std::filesystem::path(batches.after) / kBatchPageName).string());
+  for (ComparedJob& job : batches.jobs) {
+    job.report_before = report_of(before, job.name);
+    job.report_after = report_of(after, job.name);
+  }
 }
 
 Result<ComparedJob> compare_job(const std::string& name, const ListedJobs& before, const ListedJobs& after,
@@ -74,12 +105,13 @@ std::vector<InputOption> results_of(const ListedJobs& before, const ListedJobs& 
 
 Result<BatchComparison> compare_jobs(const ListedJobs& before, const ListedJobs& after,
                                      const CompareArguments& arguments, double same_within_mm) {
-  BatchComparison batches{arguments.before, arguments.after, {}};
+  BatchComparison batches{arguments.before, arguments.after, {}, {}, {}};
   for (const std::string& name : names_of(before, after)) {
     Result<ComparedJob> job = compare_job(name, before, after, same_within_mm, arguments.input);
     if (!job) return job.error();
     batches.jobs.push_back(std::move(*job));
   }
+  if (!arguments.html_file.empty()) add_links(batches, before, after, arguments.html_file);
   return batches;
 }
 
@@ -87,9 +119,7 @@ Result<BatchComparison> compare_jobs(const ListedJobs& before, const ListedJobs&
 
 int run_compare_batches(const CompareArguments& arguments, double same_within_mm, std::ostream& out,
                         std::ostream& err) {
-  if (!arguments.html_file.empty())
-    return fail(err, {make_error("usage", "--html compares two results; two batches are compared with --json FILE")});
-  const OutputTable outputs = asked_for({{"--json", arguments.json_file}});
+  const OutputTable outputs = asked_for({{"--html", arguments.html_file}, {"--json", arguments.json_file}});
   const Result<bool> taken = is_stdout_taken(outputs);
   const Result<ListedJobs> before = read_batch_jobs(arguments.before, arguments.input);
   if (!before) return fail(err, {before.error()});
@@ -98,10 +128,9 @@ int run_compare_batches(const CompareArguments& arguments, double same_within_mm
   if (const auto status = refuse_outputs(results_of(*before, *after), outputs, err)) return *status;
   const Result<BatchComparison> batches = compare_jobs(*before, *after, arguments, same_within_mm);
   if (!batches) return fail(err, {batches.error()});
-  if (!arguments.json_file.empty()) {
-    if (const Outcome written = write_output(arguments.json_file, comparison_json(*batches), out); !written)
-      return fail(err, {written.error()}, kExitInternal);
-  }
+  const Outcome written = write_comparison(
+      arguments, [&] { return comparison_html(*batches); }, [&] { return comparison_json(*batches); }, out);
+  if (!written) return fail(err, {written.error()}, kExitInternal);
   if (!arguments.is_quiet && !*taken) out << comparison_text(*batches, arguments.is_verbose);
   return batches->exit_status();
 }

@@ -46,7 +46,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command.footer(
       "Examples:\n"
       "  gougecheck compare monday/result.json today/result.json --html changes.html\n"
-      "  gougecheck compare night1 night2      # two batches, job by job\n\n"
+      "  gougecheck compare night1 night2 --html changes.html      # two batches, job by job\n\n"
       "Two findings are the same if the same motions gouge, with the same tool and body. If the other path does "
       "not have these motions, the statement and the place on the part are compared, or the place alone. A "
       "finding is gone only if the new run checked the motions of this finding, or the moves that replace "
@@ -68,6 +68,16 @@ Diagnostic with_hint_at_paths(Diagnostic error, const InputLimit& limit) {
 }
 
 }  // namespace
+
+Outcome write_comparison(const CompareArguments& arguments, const std::function<std::string()>& html,
+                         const std::function<std::string()>& json, std::ostream& out) {
+  PendingOutputs pending;
+  for (const auto& [file, make] : {std::pair(arguments.html_file, html), std::pair(arguments.json_file, json)}) {
+    if (file.empty()) continue;
+    if (const Outcome added = pending.add(file, make()); !added) return added;
+  }
+  return pending.commit(out);
+}
 
 int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostream& err) {
   if (const auto error = find_contradiction(arguments)) return fail(err, {*error});
@@ -95,15 +105,9 @@ int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostre
   const Result<StoredResult> after = load_result(arguments.after, arguments.input);
   if (!after) return fail(err, {with_hint_at_paths(after.error(), arguments.input)});
   const Comparison comparison = compare_results(*before, *after, {*same_within});
-  PendingOutputs pending;
-  using Writer = std::string (*)(const Comparison&);
-  for (const auto& [file, write] :
-       {std::pair<std::string, Writer>{arguments.html_file, comparison_html}, {arguments.json_file, comparison_json}}) {
-    if (file.empty()) continue;
-    if (const Outcome added = pending.add(file, write(comparison)); !added)
-      return fail(err, {added.error()}, kExitInternal);
-  }
-  if (const Outcome written = pending.commit(out); !written) return fail(err, {written.error()}, kExitInternal);
+  const Outcome written = write_comparison(
+      arguments, [&] { return comparison_html(comparison); }, [&] { return comparison_json(comparison); }, out);
+  if (!written) return fail(err, {written.error()}, kExitInternal);
   if (!arguments.is_quiet && !*taken) out << comparison_text(comparison, arguments.is_verbose);
   return comparison.exit_status();
 }

@@ -48,15 +48,18 @@ ExitCode BatchComparison::exit_status() const {
   return has(kExitGouges) ? kExitGouges : has(kExitNotChecked) ? kExitNotChecked : kExitClean;
 }
 
+std::string BatchComparison::counts() const {
+  const auto count = [&](ExitCode status) {
+    return std::to_string(std::ranges::count(jobs, status, &ComparedJob::exit_status));
+  };
+  return count_text(jobs.size(), "job") + ": " + count(kExitGouges) + " worse, " + count(kExitNotChecked) +
+         " not fully checked, " + count(kExitClean) + " no worse";
+}
+
 std::string comparison_text(const BatchComparison& batches, bool has_same) {
   std::string text;
   for (const ComparedJob& job : batches.jobs) text += job_text(job, has_same);
-  const auto count = [&](ExitCode status) {
-    return std::to_string(std::ranges::count(batches.jobs, status, &ComparedJob::exit_status));
-  };
-  return text + printable(batches.before + " -> " + batches.after) + "\n" + count_text(batches.jobs.size(), "job") +
-         ": " + count(kExitGouges) + " worse, " + count(kExitNotChecked) + " not fully checked, " + count(kExitClean) +
-         " no worse\n";
+  return text + printable(batches.before + " -> " + batches.after) + "\n" + batches.counts() + "\n";
 }
 
 std::string comparison_json(const BatchComparison& batches) {

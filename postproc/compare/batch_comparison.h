@@ -16,6 +16,8 @@ struct ComparedJob {
   std::unique_ptr<const StoredResult> before, after;  ///< null: the batch has no result of the job
   std::optional<Comparison> comparison;
   std::string why_not;  ///< why there is no comparison
+  /// pages of both reports, as links of the page of the comparison; empty: there is none
+  std::string report_before = {}, report_after = {};
 
   /// That of the comparison. Without one it is that of the verdicts: 0 if the new one is clean, 1 if it gouges and the old
   /// one did not. Else it is 4, because nothing is known of the findings.
@@ -25,9 +27,12 @@ struct ComparedJob {
 struct BatchComparison {
   std::string before, after;  ///< folders of the batches
   std::vector<ComparedJob> jobs;
+  std::string page_before = {}, page_after = {};  ///< pages of both batches, as report_before
 
   /// That of the worst job, in the order 1, 4, 0.
   [[nodiscard]] ExitCode exit_status() const;
+  /// Returns "5 jobs: 1 worse, 2 not fully checked, 2 no worse".
+  [[nodiscard]] std::string counts() const;
 };
 
 /// Returns the findings of each job that differ, a line for each job, and a summary. Unchanged findings are listed only
@@ -35,5 +40,7 @@ struct BatchComparison {
 [[nodiscard]] std::string comparison_text(const BatchComparison& batches, bool has_same);
 /// Returns the comparisons of all jobs as JSON: docs/formats/compare.md.
 [[nodiscard]] std::string comparison_json(const BatchComparison& batches);
+/// Returns one page with a row for each job, the worst first. It links to the pages of the reports and needs no other file.
+[[nodiscard]] std::string comparison_html(const BatchComparison& batches);
 
 }  // namespace gouge

@@ -1,7 +1,6 @@
+#include "postproc/compare/comparison_page.h"
 #include "postproc/compare/write_comparison.h"
 #include "postproc/report/html_table.h"
-#include "postproc/report/report_model.h"
-#include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -35,39 +34,23 @@ class ComparisonPage {
   explicit ComparisonPage(const Comparison& comparison) : c_(comparison) {}
 
   [[nodiscard]] std::string build() const {
-    const std::string title = xml_escaped("Comparison: " + c_.before->file + " to " + c_.after->file);
-    std::string out =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\">\n<title>" +
-        title + "</title>\n<style>" + std::string(kHtmlStyle) + kPhoneStyle +
-        "</style>\n</head>\n<body>\n<main class=\"cards\">\n<h1>" + title + "</h1>\n" + "<p class=\"soft\">" +
-        xml_escaped(c_.before->record.toolpath.file + " (" + c_.before->record.verdict + "), then " +
-                    c_.after->record.toolpath.file + " (" + c_.after->record.verdict + ")") +
-        "</p>\n" + banner();
+    std::string out = comparison_page_begin("Comparison: " + c_.before->file + " to " + c_.after->file, kPhoneStyle);
+    out += "<p class=\"soft\">" +
+           xml_escaped(c_.before->record.toolpath.file + " (" + c_.before->record.verdict + "), then " +
+                       c_.after->record.toolpath.file + " (" + c_.after->record.verdict + ")") +
+           "</p>\n" + comparison_banner(c_.exit_status(), change_counts(c_));
     for (const std::string& note : comparison_notes(c_))
       out += "<p class=\"but\">Note: " + xml_escaped(note) + ".</p>\n";
     out += numbers();
     for (const Section& section : kSections) out += table(section);
-    return out + "<footer>" + kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
+    return out + comparison_page_end();
   }
 
  private:
-  [[nodiscard]] std::string banner() const {
-    const ExitCode status = c_.exit_status();
-    const char* css = status == kExitGouges ? "gouges" : status == kExitClean ? "clean" : "not-fully-checked";
-    const char* word = status == kExitGouges ? "Worse" : "No worse";
-    return std::string("<div class=\"banner ") + css + "\"><strong>" + word + "</strong><div>" +
-           (status == kExitNotChecked ? "as far as it was checked: " : "") + xml_escaped(change_counts(c_)) +
-           "</div></div>\n";
-  }
-
   [[nodiscard]] std::string numbers() const {
     std::string out = "<div class=\"numbers\">";
-    for (const Section& section : kSections) {
-      const std::size_t count = c_.count(section.change);
-      out += std::string("<div class=\"") + (count > 0 ? section.css : "") + "\"><b>" + std::to_string(count) +
-             "</b><span>" + section.title + "</span></div>";
-    }
+    for (const Section& section : kSections)
+      out += comparison_number(c_.count(section.change), section.title, section.css);
     return out + "</div>\n";
   }
 

@@ -73,8 +73,8 @@ bool is_interrupted_batch(const std::string& name) {
 }
 
 const std::vector<std::string>& names_of_batch() {
-  static const std::vector<std::string> kNames = {"index.html", "summary.csv",    kBatchSummaryName,
-                                                  "junit.xml",  "findings.sarif", kManifestName};
+  static const std::vector<std::string> kNames = {kBatchPageName, "summary.csv",    kBatchSummaryName,
+                                                  "junit.xml",    "findings.sarif", kManifestName};
   return kNames;
 }
 

@@ -9,6 +9,7 @@
 namespace gouge {
 
 inline constexpr const char* kBatchSummaryName = "summary.json";
+inline constexpr const char* kBatchPageName = "index.html";
 inline constexpr const char* kBatchStoreName = "results.sqlite";
 /// Folder of the reports of the jobs in the folder of a batch.
 inline constexpr const char* kReportsFolder = "reports";

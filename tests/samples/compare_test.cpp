@@ -284,7 +284,7 @@ TEST_F(Compare, BatchesAreComparedJobByJob) {
   EXPECT_EQ(shop_.run({"compare", "new", "new"}).exit_status, 4) << "the broken job has no result";
   const std::string kept = shop_.read("old/reports/fixed/result.json");
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"compare", "old", "new/reports/fixed"},
-                                                {"compare", "old", "new", "--html", "c.html"},
+                                                {"compare", "old", "new", "--html", "new/reports/fixed/report.html"},
                                                 {"compare", "old", "new", "--json", "old/reports/fixed/result.json"}})
     EXPECT_EQ(shop_.run(wrong).exit_status, 2) << wrong.back();
   EXPECT_EQ(shop_.read("old/reports/fixed/result.json"), kept);
@@ -295,6 +295,53 @@ TEST_F(Compare, BatchesAreComparedJobByJob) {
   EXPECT_NE(
       shop_.run({"compare", "old", "new"}).err.find("but new is the folder of a batch that was interrupted; finish"),
       std::string::npos);
+}
+
+TEST_F(Compare, ThePageOfTwoBatchesListsTheJobsAndLeadsToTheirReports) {
+  shop_.write("part.stl", plate_stl());
+  const std::string deep = path_text(stations(kTwoDeep)), clean = path_text(stations());
+  const auto batch = [&](const std::string& folder, const std::vector<std::pair<std::string, std::string>>& paths) {
+    std::vector<std::string> words = {"batch", "--part", "part.stl", "-q", "-o", folder};
+    for (const auto& [name, text] : paths) {
+      shop_.write(name + ".apt", text);
+      words.push_back(name + ".apt");
+    }
+    (void)shop_.run(words);
+  };
+  batch("old", {{"fixed", deep}, {"same", clean}, {"left_out", clean}, {"broken", deep}, {"deeper", deep}});
+  batch("new", {{"fixed", clean},
+                {"same", clean},
+                {"added", clean},
+                {"bad", deep},
+                {"broken", "no path"},
+                {"deeper", path_text(stations({{40, -0.3}, {50, -0.2}}))}});
+  (void)shop_.run_script("mkdir pages");
+  EXPECT_EQ(shop_.run({"compare", "old", "new", "-q", "--html", "pages/c.html", "--json", "c.json"}).exit_status, 1);
+  const std::string page = shop_.read("pages/c.html");
+  const auto row_of = [&](const std::string& job) {
+    for (std::size_t at = page.find("<tr><td>"); at != std::string::npos; at = page.find("<tr><td>", at + 1)) {
+      std::string row = page.substr(at, page.find("</tr>", at) - at);
+      if (row.find(">" + job + "<") != std::string::npos) return row;
+    }
+    return std::string();
+  };
+  for (const auto& [job, change] :
+       {std::pair("bad", "Worse"), std::pair("deeper", "Worse"), std::pair("broken", "Not compared"),
+        std::pair("left_out", "Only in the old batch"), std::pair("added", "Only in the new batch"),
+        std::pair("fixed", "Better"), std::pair("same", "Same")})
+    EXPECT_NE(row_of(job).find(std::string(">") + change + "</span>"), std::string::npos) << job << page;
+  EXPECT_NE(row_of("deeper").find("<td class=\"n none\">0</td><td class=\"n bad\">1</td>"), std::string::npos);
+  EXPECT_NE(row_of("fixed").find("<a href=\"../old/reports/fixed/report.html\">gouges</a>, then "
+                                 "<a href=\"../new/reports/fixed/report.html\">clean</a>"),
+            std::string::npos)
+      << row_of("fixed");
+  EXPECT_NE(page.find("<a href=\"../old/index.html\">old</a>, then"), std::string::npos);
+  EXPECT_NE(page.find("<strong>Worse</strong><div>7 jobs: 2 worse, 2 not fully checked, 3 no worse<"),
+            std::string::npos);
+  EXPECT_LT(page.find(">bad<"), page.find(">broken<")) << "the worst first";
+  const std::string kept = shop_.read("new/index.html");
+  EXPECT_EQ(shop_.run({"compare", "old", "new", "--html", "new/index.html"}).exit_status, 2);
+  EXPECT_EQ(shop_.read("new/index.html"), kept);
 }
 
 TEST_F(Compare, AResultThatIsNotAsItWasWrittenIsRefused) {
