@@ -121,6 +121,7 @@ class Batch {
                                              : list_jobs(arguments_.files, arguments_.words, place_);
     if (!jobs) return refuse(jobs.error());
     jobs_ = std::move(*jobs);
+    note_left_baseline();
     for (BatchJob& job : jobs_) {
       if (arguments_.is_forced) job.job().is_forced = true;
     }
@@ -128,6 +129,16 @@ class Batch {
             find_jobs_in_the_way(jobs_, place_, is_job_list(arguments_) ? arguments_.files.front() : std::string()))
       return refuse(*wrong);
     return std::nullopt;
+  }
+
+  // Notes that the baseline in the defaults of a list holds for its checks alone.
+  void note_left_baseline() const {
+    const auto count = std::ranges::count_if(jobs_, &BatchJob::leaves_baseline);
+    if (count == 0 || arguments_.is_quiet || !ranks_->is_first()) return;
+    print(err_, {make_note("jobs-baseline",
+                           "\"baseline\" of the defaults does not hold for " +
+                               count_text(static_cast<std::size_t>(count), "job") + " with the command correct",
+                           arguments_.files.front())});
   }
 
   int list() const {

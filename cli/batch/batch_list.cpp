@@ -146,6 +146,10 @@ class JobListReader {
       return fail("\"command\" is '" + printable(command) + "'; expected check or correct", pointer + "/command");
     const bool has_report = take_report(fields);
     const std::vector<std::string> paths = take_paths(fields, pointer);
+    // A correction takes no baseline: to leave out that of the defaults makes no verdict better.
+    const auto baseline = fields.find("baseline");
+    const bool leaves_baseline = command == "correct" && baseline != fields.end() && !own.contains("baseline");
+    if (leaves_baseline) fields.erase(baseline);
     JobWords words(command, base_);
     for (const auto& [key, field] : fields) {
       const Outcome added = words.add(key, *field.value);
@@ -155,6 +159,7 @@ class JobListReader {
     for (std::size_t k = 0; k < paths.size(); ++k) {
       const std::string job_name = name.empty() ? of_files[k] : paths.size() == 1 ? name : name + " " + of_files[k];
       add(job_name, command, words.words(), paths[k], has_report, {pointer, fields});
+      if (!error_) jobs_.back().leaves_baseline = leaves_baseline;
     }
   }
 

@@ -19,6 +19,7 @@ struct BatchJob {
   std::size_t line = 0;            ///< line in the job list; 0: the job is on the command line
   std::vector<std::string> words;  ///< its options as a command line, without outputs below the folder of the batch
   bool has_report = true;
+  bool leaves_baseline = false;  ///< it corrects, so the baseline in the defaults of its list does not hold for it
   std::variant<CheckArguments, CorrectArguments> arguments;
 
   [[nodiscard]] const char* command() const { return arguments.index() == 0 ? "check" : "correct"; }

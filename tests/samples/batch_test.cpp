@@ -327,6 +327,33 @@ TEST(Batch, TakesABaselineInAJobAndRunsItAgainWhenThatChanges) {
   EXPECT_EQ(run_batch(folder, {"jobs.json", "-o", "out"}).exit_status, 3);
 }
 
+TEST(Batch, TheBaselineOfTheDefaultsHoldsForChecksAlone) {
+  const std::string folder = samples_with_list({"pocket"});
+  Json list = Json::parse(text_of(folder + "/jobs.json"));
+  list["defaults"]["baseline"] = "accepted.json";
+  write_text(folder + "/jobs.json", list.dump());
+  ASSERT_EQ(list["jobs"][1]["command"], "correct");
+  const Outcome accepted =
+      run_script(folder,
+                 "$GOUGECHECK check pocket/pocket.apt --part pocket/part.stl --fixture pocket/clamp.stl --tools "
+                 "pocket/tools.json --json result.json -q\n"
+                 "$GOUGECHECK accept result.json -o accepted.json --all --reason 'as agreed' --by test");
+  ASSERT_EQ(accepted.exit_status, 0) << accepted.err;
+  const Outcome ran = run_batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(summary_of(folder + "/out").at("jobs").at(0).at("verdict"), "accepted-gouges") << ran.err;
+  EXPECT_NE(summary_of(folder + "/out").at("jobs").at(1).at("verdict"), "failed") << ran.err;
+  EXPECT_NE(
+      ran.err.find("jobs.json: note: \"baseline\" of the defaults does not hold for 1 job with the command correct "
+                   "[jobs-baseline]\n"),
+      std::string::npos)
+      << ran.err;
+  list["jobs"][1]["baseline"] = "accepted.json";
+  write_text(folder + "/jobs.json", list.dump());
+  const Outcome refused = run_batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(refused.exit_status, 3);
+  EXPECT_NE(refused.err.find("\"baseline\" is no option of correct"), std::string::npos) << refused.err;
+}
+
 TEST(Batch, TakesAFileForItselfBeforeItTakesItForAPattern) {
   const std::string folder = samples_with_list({"needles", "thin_post"});
   fs::copy_file(folder + "/needles/needles.apt", folder + "/x1.apt");
