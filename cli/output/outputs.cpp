@@ -84,13 +84,16 @@ bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportM
                        std::ostream& out, std::ostream& err) {
   const Outcome written = write_files(job, scene, model, progress, out);
   progress.end();
-  if (!written) print(err, {written.error()});
   if (written && report_ && !arguments_.is_quiet) print(err, missing_letters(model));
   print_findings(model, written.has_value(), out);
   const Result<bool> taken = is_stdout_taken(outputs_);
   const bool is_silent = arguments_.is_quiet || !taken || *taken;
   if (is_silent && !arguments_.is_verbose && arguments_.project_file)
     print(err, {make_note(kProjectFile, arguments_.project_file->summary, arguments_.project_file->input.name)});
+  if (!written) {
+    out.flush();  // where both streams go to one place, the error must stand below the findings
+    print(err, {written.error()});
+  }
   return written.has_value();
 }
 

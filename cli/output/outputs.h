@@ -55,7 +55,7 @@ class JobOutputs {
   [[nodiscard]] std::optional<int> refuse(std::ostream& err);
 
   /// Writes every file requested, then prints the findings. The `scene` is that of the job. A file that cannot be
-  /// written is reported on `err`. Returns whether all was written, and delivered in the case of standard output.
+  /// written is reported on `err`, last. Returns whether all was written, and delivered in the case of standard output.
   [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
                            std::ostream& out, std::ostream& err);
 

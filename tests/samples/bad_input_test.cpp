@@ -98,6 +98,19 @@ TEST(OtherBadInput, AnOutputThatCannotBeWrittenIsStatus5) {
   EXPECT_NE(ran.err.find("no/such/out.csv"), std::string::npos) << ran.err;
 }
 
+TEST(OtherBadInput, AnOutputThatFailsAfterTheWorkIsSaidBelowTheFindings) {
+  const SampleFolder sample = open_sample("pocket");
+  const std::string options = " pocket.apt --part part.stl --fixture clamp.stl --tools tools.json --csv /dev/full 2>&1";
+  for (const char* command : {"check", "correct -o out.apt"}) {
+    const Outcome ran = run_script(sample.path, std::string("$GOUGECHECK ") + command + options);
+    EXPECT_EQ(ran.exit_status, 5);
+    const std::string last = ran.out.substr(ran.out.rfind('\n', ran.out.size() - 2) + 1);
+    EXPECT_EQ(last.rfind("/dev/full: error: ", 0), 0U) << last;
+    EXPECT_NE(ran.out.find("guarantee: "), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find("[file-unwritable]"), ran.out.rfind("[file-unwritable]")) << "once";
+  }
+}
+
 TEST(OtherBadInput, OutputsThatCannotBeWrittenAreAllFoundBeforeTheWork) {
   const SampleFolder sample = open_sample("needles");
   const std::string said =
