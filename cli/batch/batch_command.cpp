@@ -341,7 +341,7 @@ class Batch {
     } else {
       const std::vector<JobResult>& shown = arguments_.watch.empty() ? results : results_of(ran_, results);
       print_batch(out_, shown);
-      print_warnings(out_, err_, shown, arguments_.is_verbose);
+      print_job_notes(out_, err_, shown, arguments_.is_verbose);
       if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran_.size() << " run\n";
       if (is_stopped_ && !is_whole) out_ << "stopped as asked; --resume runs the rest\n";
       out_ << "report: " << printable(arguments_.folder) << "/index.html\n";

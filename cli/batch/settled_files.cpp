@@ -102,14 +102,13 @@ void print_batch(std::ostream& out, const std::vector<JobResult>& results) {
   out << batch_text(results, is_terminal(out) ? kMaxRows : results.size(), terminal_columns(out));
 }
 
-void print_warnings(std::ostream& out, std::ostream& err, const std::vector<JobResult>& results, bool is_verbose) {
+void print_job_notes(std::ostream& out, std::ostream& err, const std::vector<JobResult>& results, bool is_verbose) {
   std::size_t count = 0;
   for (const JobResult& job : results) {
     if (job.unit.empty()) continue;  // its errors are in the table
-    count += job.warnings.size();
+    count += job.warnings().size();
     if (!is_verbose) continue;
-    for (const Diagnostic& warning : job.warnings)
-      err << "job " << printable(job.name) << ": " << to_text(warning) << "\n";
+    for (const Diagnostic& note : job.notes) err << "job " << printable(job.name) << ": " << to_text(note) << "\n";
   }
   if (count > 0 && !is_verbose) out << count_text(count, "warning") << "; -v lists them\n";
 }

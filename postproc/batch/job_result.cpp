@@ -5,11 +5,13 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "lib/base/exit_code.h"
+#include "lib/path/assumption.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -38,9 +40,16 @@ std::size_t JobResult::gouge_findings() const {
   }));
 }
 
+Diagnostics JobResult::warnings() const {
+  Diagnostics warnings;
+  std::ranges::copy_if(notes, std::back_inserter(warnings),
+                       [](const Diagnostic& note) { return note.severity == Severity::warning; });
+  return warnings;
+}
+
 std::vector<std::string> JobResult::remarks() const {
   std::vector<std::string> remarks;
-  for (const Diagnostic& warning : warnings) remarks.push_back(to_text(warning));
+  for (const Diagnostic& warning : warnings()) remarks.push_back(to_text(warning));
   if (counts.skipped > 0) remarks.push_back(left_out_text(counts.skipped));
   if (!unit.empty()) return remarks;
   std::istringstream lines(messages);
@@ -108,6 +117,26 @@ std::optional<TwoContents> find_two_contents(const std::vector<JobResult>& jobs)
   return std::nullopt;
 }
 
+namespace {
+
+// Returns the notes of a report. The facts that are open come first, because a page may show the first note only.
+Diagnostics gravest_first(const ReportModel& model) {
+  std::set<std::string> contradicted, open;
+  for (const Assumption& fact : model.result->assumptions) {
+    for (const Diagnostic& warning : open_warnings({fact}))
+      (fact.basis == Basis::contradicted ? contradicted : open).insert(to_text(warning));
+  }
+  const auto rank = [&](const Diagnostic& note) {
+    const std::string text = to_text(note);
+    return contradicted.contains(text) ? 0 : open.contains(text) ? 1 : 2;
+  };
+  Diagnostics notes = model.notes;
+  std::ranges::stable_sort(notes, {}, rank);
+  return notes;
+}
+
+}  // namespace
+
 void take_report(const ReportModel& model, JobResult& result) {
   const LengthUnit unit = model.toolpath->unit;
   result.unit = unit_name(unit);
@@ -118,8 +147,7 @@ void take_report(const ReportModel& model, JobResult& result) {
     result.deepest_line = model.toolpath->moves[model.result->worst_move].line;
   }
   result.findings = list_findings(model);
-  std::ranges::copy_if(model.notes, std::back_inserter(result.warnings),
-                       [](const Diagnostic& note) { return note.severity == Severity::warning; });
+  result.notes = gravest_first(model);
   const JunitSuite suite = junit_suite_of(model);
   result.cases = suite.cases;
   result.beside = suite.beside;

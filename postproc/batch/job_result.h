@@ -31,8 +31,8 @@ struct JobResult {
   std::size_t deepest_line = 0;   ///< its line in the toolpath
   std::vector<Finding> findings;
   std::vector<JunitCase> cases;
-  std::string beside;    ///< notes and warnings besides the verdict, one in each line
-  Diagnostics warnings;  ///< for a job without a result: its errors
+  std::string beside;  ///< notes and warnings besides the verdict, one in each line
+  Diagnostics notes;   ///< notes and warnings; first those of contradicted facts, then those of other open facts
   std::vector<InputFile> inputs;
   std::vector<JobOutput> outputs;
   std::string report;    ///< its report.html relative to the folder of the batch; empty: none
@@ -48,6 +48,8 @@ struct JobResult {
   [[nodiscard]] std::size_t moves() const;
   /// Returns the number of its findings that are gouges or a buried tool.
   [[nodiscard]] std::size_t gouge_findings() const;
+  /// Returns its warnings.
+  [[nodiscard]] Diagnostics warnings() const;
   /// Returns its warnings as text; for a job without a result the errors that its command reported.
   [[nodiscard]] std::vector<std::string> remarks() const;
   /// Returns "clean", "accepted-gouges", "gouges", "material-left", "not-fully-checked", "failed" or "not-run".

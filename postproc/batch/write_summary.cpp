@@ -126,7 +126,7 @@ std::string write_batch_sarif(const std::vector<JobResult>& jobs) {
   for (const JobResult& job : jobs) {
     if (!job.status) continue;
     SarifJob one{job.toolpath, *job.status, {}, job.findings};
-    for (const Diagnostic& warning : job.warnings) one.notes.push_back(sarif_note_of(warning));
+    for (const Diagnostic& warning : job.warnings()) one.notes.push_back(sarif_note_of(warning));
     if (job.unit.empty()) {
       for (const std::string& remark : job.remarks()) one.notes.push_back({"error", "job-failed", remark});
     }

@@ -45,8 +45,8 @@ void put_lists(const PutRow& put, std::int64_t job, const JobResult& result) {
         {job, whole(k), one.name, whole(one.moves), one.failure_type, one.failure_message, one.failure_text,
          one.skipped_message, one.error_message});
   }
-  for (std::size_t k = 0; k < result.warnings.size(); ++k) {
-    const Diagnostic& one = result.warnings[k];
+  for (std::size_t k = 0; k < result.notes.size(); ++k) {
+    const Diagnostic& one = result.notes[k];
     put("INSERT INTO warnings VALUES(?,?,?,?,?,?,?)", {job, whole(k), std::int64_t{static_cast<int>(one.severity)},
                                                        one.code, one.file, whole(one.line), one.message});
   }
@@ -206,7 +206,7 @@ void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& pl
         {row.text(2), size(row.integer(3)), row.text(4), row.text(5), row.text(6), row.text(7), row.text(8)});
   });
   each("SELECT * FROM warnings ORDER BY job, number", [](const Row& row, JobResult& job) {
-    job.warnings.push_back(
+    job.notes.push_back(
         {static_cast<Severity>(row.integer(2)), row.text(3), row.text(4), size(row.integer(5)), row.text(6)});
   });
   each("SELECT * FROM inputs ORDER BY job, number", [](const Row& row, JobResult& job) {

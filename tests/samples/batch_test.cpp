@@ -10,6 +10,7 @@
 #include "tests/samples/batch_folder.h"
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/small_shop.h"
 
 // gougecheck batch and merge as their users run them.
 
@@ -352,6 +353,31 @@ TEST(Batch, TheBaselineOfTheDefaultsHoldsForChecksAlone) {
   const Outcome refused = run_batch(folder, {"jobs.json", "-o", "out"});
   EXPECT_EQ(refused.exit_status, 3);
   EXPECT_NE(refused.err.find("\"baseline\" is no option of correct"), std::string::npos) << refused.err;
+}
+
+TEST(Batch, ListsNotesToTheAskingAndNamesOpenFactsFirst) {
+  const SmallShop shop;
+  shop.write("part.stl", plate_stl());
+  shop.write("op.apt", path_text(stations({{40, -0.2}})));
+  const std::vector<std::string> words = {"batch",       "op.apt", "--part",      "part.stl",    "--place",
+                                          "0,0,-300",    "-o",     "out",         "--tolerance", "6",
+                                          "--tip-frame", "table",  "--no-reports"};
+  const Outcome plain = shop.run(words);
+  EXPECT_EQ(plain.exit_status, 4) << plain.err;
+  EXPECT_EQ(plain.err.find("[option-unused]"), std::string::npos) << plain.err;
+  EXPECT_NE(plain.out.find("2 warnings; -v lists them\n"), std::string::npos) << plain.out;
+  EXPECT_NE(plain.out.find("op: op.apt: warning: no move reaches the part"), std::string::npos) << plain.out;
+  const std::string page = shop.read("out/index.html");
+  EXPECT_NE(page.find("<td>op.apt: warning: no move reaches the part"), std::string::npos);
+  std::vector<std::string> verbose = words;
+  verbose.emplace_back("-v");
+  const Outcome listed = shop.run(verbose);
+  for (const char* code : {"[option-unused]", "[tolerance-large]"}) {
+    const std::size_t at = listed.err.find(code);
+    EXPECT_NE(at, std::string::npos) << code << listed.err;
+    EXPECT_EQ(at, listed.err.rfind(code)) << "once: " << listed.err;
+  }
+  EXPECT_EQ(shop.json("out/findings.sarif").dump().find("option-unused"), std::string::npos) << "warnings alone";
 }
 
 TEST(Batch, TakesAFileForItselfBeforeItTakesItForAPattern) {
