@@ -80,10 +80,23 @@ Diagnostics doubts_about_tolerance(const Job& job, const std::string& file) {
                        file)};
 }
 
+/// Returns the warning about a resolution that is coarser than the tolerance and than the default.
+Diagnostics doubts_about_resolution(const CheckOptions& check, LengthUnit unit, const std::string& file) {
+  if (check.resolution_mm <= std::max(check.tolerance_mm, CheckOptions().resolution_mm)) return {};
+  return {make_warning("resolution-large",
+                       "the resolution of " + length_text(check.resolution_mm, unit) +
+                           " is more than the tolerance of " + length_text(check.tolerance_mm, unit) +
+                           ": gouges up to " + length_text(check.tolerance_mm + check.resolution_mm, unit) +
+                           " deep may stay unseen; give a finer --resolution",
+                       file)};
+}
+
 }  // namespace
 
 Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene) {
   Diagnostics notes = doubts_about_tolerance(job, arguments.path);
+  std::ranges::move(doubts_about_resolution(job.options.check, job.toolpath.unit, arguments.path),
+                    std::back_inserter(notes));
   std::ranges::move(describe_unused_options(job, arguments), std::back_inserter(notes));
   std::vector<bool> is_allowed;
   for (const MeshFacts& fixture : job.files->fixtures) {

@@ -4,6 +4,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/small_shop.h"
 
 // A fixture that reaches into its part, seen by clash, check and correct.
 
@@ -95,6 +96,17 @@ TEST_F(SunkJaw, AllowingTheOverlapOfAFileThatIsNoFixtureIsAWrongCommandLine) {
   const Outcome ran = run("check", {"--allow-overlap", "part.stl"});
   EXPECT_EQ(ran.exit_status, 2);
   EXPECT_NE(ran.err.find("--allow-overlap 'part.stl': expected a file of --fixture"), std::string::npos) << ran.err;
+}
+
+TEST(SetUp, AResolutionAboveTheToleranceIsSaidWithItsNumbers) {
+  const SmallShop shop;
+  const std::string said =
+      "path.apt: warning: the resolution of 0.05 mm is more than the tolerance of 0.01 mm: gouges up to 0.06 mm deep may "
+      "stay unseen; give a finer --resolution [resolution-large]\n";
+  EXPECT_NE(shop.check("a", path_text(stations()), {"--resolution", "0.05"}).err.find(said), std::string::npos);
+  for (const std::vector<std::string>& fine :
+       {std::vector<std::string>{"--resolution", "0.01"}, {"--tolerance", "0"}, {"--tolerance", "0.0005"}})
+    EXPECT_EQ(shop.check("a", path_text(stations()), fine).err, "") << fine.back();
 }
 
 TEST_F(SunkJaw, IsTheSameAtAnyNumberOfThreads) {
