@@ -222,7 +222,8 @@ void add_merge_options(CLI::App& command, MergeArguments& a) {
   command.add_option("-o,--output", a.folder, "Folder for the joined results")->type_name("FOLDER")->required();
   command.add_flag("--force", a.is_forced,
                    "Replace the results of another batch, and files that were not written by a batch");
-  add_verbosity(command, a, "No effect in this command");
+  add_verbosity(command, a, "No effect in this command",
+                "Print no results, only errors, those of jobs that failed included");
   command.footer(
       "Example:\n"
       "  gougecheck batch jobs.json --shard 1/2 -o s1\n"

@@ -74,7 +74,9 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   add_common_job_options(command, a.job, false);
   add_baseline_option(command, a.job.baseline_file);
   add_progress_option(command, a.progress);
-  add_verbosity(command, a, "Print notes too (not with -q)");
+  add_verbosity(command, a, "Print the warnings and notes of all jobs (not with -q)",
+                "Print no results, only errors, those of jobs that failed included, and a warning of inputs that "
+                "changed meanwhile");
   command.footer(
       "Examples:\n"
       "  gougecheck batch ops/*.apt --part part.stl --tools tools.json -o night\n"

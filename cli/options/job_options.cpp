@@ -271,7 +271,9 @@ void add_output_options(CLI::App& command, JobArguments& a) {
   add_progress_option(command, a.progress);
   add_verbosity(command, a,
                 "Print under each finding its statement, and print notes of all inputs, effort and peak memory "
-                "of the check (not with -q)");
+                "of the check (not with -q)",
+                "Print no findings, only errors, warnings of facts that are not established, and the note of the "
+                "project file");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ constexpr UsualOption kOfBatch[] = {{"--output", "Folder for the results"},
 
 constexpr UsualOption kOutputs[] = {{"--report", "Folder for the report: page, pictures, data"},
                                     {"--json", "Result as JSON; also --csv, --sarif, --junit"},
-                                    {"--quiet", "Print errors only"}};
+                                    {"--quiet", "Print only errors and warnings of open facts"}};
 
 constexpr UsualOption kOutputsOfBatch[] = {{"--quiet", "Print errors only"}};
 

@@ -14,8 +14,9 @@
 #include "lib/base/printable_text.h"
 
 namespace gouge {
-void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose) {
-  command.add_flag("-q,--quiet", verbosity.is_quiet, "Print no findings, only errors")->group(kTerminalGroup);
+void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose,
+                   const std::string& on_quiet) {
+  command.add_flag("-q,--quiet", verbosity.is_quiet, on_quiet)->group(kTerminalGroup);
   command.add_flag("-v,--verbose", verbosity.is_verbose, on_verbose)->group(kTerminalGroup);
 }
 

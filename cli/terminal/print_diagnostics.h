@@ -21,8 +21,9 @@ struct Verbosity {
   bool is_verbose = false;
 };
 
-/// Adds -q and -v; `on_verbose` is the help of -v.
-void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose);
+/// Adds -q and -v; `on_verbose` and `on_quiet` are their help.
+void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose,
+                   const std::string& on_quiet = "Print no findings, only errors");
 
 /// Returns the error that both are given (code usage), or nothing.
 [[nodiscard]] std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity);
