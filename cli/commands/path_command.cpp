@@ -114,6 +114,15 @@ Json tool_json(const PathTool& tool, std::size_t moves, double mm_per_unit) {
   return json;
 }
 
+std::string orientations_text(const Toolpath& path, const PathInfo& info) {
+  std::string text = std::to_string(info.orientations);
+  if (path.moves.empty()) return text;
+  const std::string first = shown(path.moves.front().end.axis, 1);
+  if (info.largest_tilt_move == kNone) return text + ": the tool axis is " + first + " at all positions";
+  return text + ": the first tool axis is " + first + ", the largest tilt from it " + shown(info.largest_tilt_deg) +
+         " degrees in line " + std::to_string(path.moves[info.largest_tilt_move].line);
+}
+
 std::string path_info_text(const Toolpath& path, const PathInfo& info, const std::string& dialect_title) {
   const double mm_per_unit = mm_per(path.unit);
   const std::string unit = unit_name(path.unit);
@@ -128,7 +137,7 @@ std::string path_info_text(const Toolpath& path, const PathInfo& info, const std
   }
   text += path_row("length", shown(info.feed_length_mm / mm_per_unit) + " " + unit + " feed, " +
                                  shown(info.rapid_length_mm / mm_per_unit) + " " + unit + " rapid");
-  text += path_row("orientations", std::to_string(info.orientations));
+  text += path_row("orientations", orientations_text(path, info));
   if (info.largest_turn_move != kNone) {
     text += path_row("largest turn", shown(info.largest_turn_deg) + " degrees in move " +
                                          std::to_string(info.largest_turn_move) + ", line " +
@@ -155,6 +164,9 @@ std::string path_info_json(const Toolpath& path, const PathInfo& info) {
   json["feed_length"] = info.feed_length_mm / mm_per_unit;
   json["rapid_length"] = info.rapid_length_mm / mm_per_unit;
   json["orientations"] = info.orientations;
+  if (!path.moves.empty()) json["first_axis"] = point_json(path.moves.front().end.axis, 1);
+  json["largest_tilt_deg"] = info.largest_tilt_deg;
+  if (info.largest_tilt_move != kNone) json["largest_tilt_line"] = std::size_t{path.moves[info.largest_tilt_move].line};
   json["largest_turn_deg"] = info.largest_turn_deg;
   if (info.largest_turn_move != kNone) json["largest_turn_line"] = std::size_t{path.moves[info.largest_turn_move].line};
   json["tools"] = Json::array();

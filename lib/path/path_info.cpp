@@ -69,6 +69,11 @@ PathInfo describe_path(const Toolpath& path) {
     extend(info.box, path, i);
     const AxisKey key = key_of(move.end.axis);
     if (axes.empty() || axes.back() != key) axes.push_back(key);
+    const double tilt = angle_between_deg(path.moves.front().end.axis, move.end.axis);
+    if (tilt > info.largest_tilt_deg) {
+      info.largest_tilt_deg = tilt;
+      info.largest_tilt_move = i;
+    }
     count_motion(path, i, info);
     if (!move.not_checked_reason.empty()) ++info.not_checkable[std::string(move.not_checked_reason)];
     if (move.tool == kNone) {

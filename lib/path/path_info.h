@@ -19,7 +19,9 @@ struct PathInfo {
   static constexpr double kBoxError_mm = 0.01;
   Box3 box;                      ///< box of the tip's path, arcs to within kBoxError_mm; empty without moves
   std::size_t orientations = 0;  ///< number of distinct tool axes
-  double largest_turn_deg = 0;   ///< largest change of the axis in one move
+  double largest_tilt_deg = 0;   ///< largest angle between the axis at a position and that at the first one
+  std::size_t largest_tilt_move = kNone;
+  double largest_turn_deg = 0;  ///< largest change of the axis in one move
   std::size_t largest_turn_move = kNone;
   double feed_length_mm = 0, rapid_length_mm = 0;    ///< path length of feed and arc moves, and path length of rapids
   std::map<std::string, std::size_t> not_checkable;  ///< number of moves for each reason

@@ -9,6 +9,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/small_shop.h"
 #include "tests/support/source_folder.h"
 
 // `gougecheck path` as a user sees it, on a small file of every dialect and on real files where these are at hand.
@@ -47,6 +48,21 @@ TEST(PathInfo, ReadsClDataAsSuchBesideAControl) {
   const Outcome compared = run_gougecheck(
       folder, {"compare", "--paths", "a.apt", "a.nc", "--control", "haas", "--joint-rapid-law", "joint"});
   EXPECT_EQ(compared.exit_status, 0) << compared.out << compared.err;
+}
+
+TEST(PathInfo, StatesTheRangeOfTheToolAxis) {
+  const SmallShop shop;
+  shop.write("up.apt", path_text(stations()));
+  const Outcome constant = shop.run({"path", "info", "up.apt", "--json", "up.json"});
+  EXPECT_NE(constant.out.find("1: the tool axis is 0, 0, 1 at all positions\n"), std::string::npos) << constant.out;
+  EXPECT_EQ(shop.json("up.json").at("first_axis"), nlohmann::json({0, 0, 1}));
+  EXPECT_EQ(shop.json("up.json").at("largest_tilt_deg"), 0);
+  shop.write("tilted.apt", "UNITS/MM\nMULTAX\nGOTO/0,0,0,0,0,1\nGOTO/1,0,0,0.6,0,0.8\nGOTO/2,0,0,1,0,0\nFINI\n");
+  const Outcome tilted = shop.run({"path", "info", "tilted.apt", "--json", "tilted.json"});
+  EXPECT_NE(tilted.out.find("3: the first tool axis is 0, 0, 1, the largest tilt from it 90 degrees in line 5\n"),
+            std::string::npos)
+      << tilted.out;
+  EXPECT_EQ(shop.json("tilted.json").at("largest_tilt_line"), 5);
 }
 
 TEST(PathInfo, WarnsOfAnUnknownUnit) {

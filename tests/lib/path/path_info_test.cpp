@@ -38,6 +38,8 @@ TEST(DescribePath, CountsWhatIsThere) {
   EXPECT_EQ(info.alone, 1u);
   EXPECT_EQ(info.orientations, 2u) << "0 and -0 are one orientation";
   EXPECT_NEAR(info.largest_turn_deg, 90, 1e-12);
+  EXPECT_NEAR(info.largest_tilt_deg, 90, 1e-12);
+  EXPECT_EQ(info.largest_tilt_move, 2u) << "the first of equals";
   EXPECT_EQ(info.largest_turn_move, 2u);
   EXPECT_DOUBLE_EQ(info.feed_length_mm, 6 + 5);
   EXPECT_EQ(info.not_checkable.at("because"), 1u);
@@ -46,6 +48,15 @@ TEST(DescribePath, CountsWhatIsThere) {
   EXPECT_EQ(info.moves_of_operation, (std::vector<std::size_t>{1}));
   EXPECT_DOUBLE_EQ(info.box.max().x(), 3);
   EXPECT_DOUBLE_EQ(info.box.max().z(), 10);
+}
+
+TEST(DescribePath, AConstantAxisHasNoTilt) {
+  Toolpath path;
+  for (const double x : {0.0, 1.0, 2.0})
+    path.moves.push_back(move_to(MoveKind::feed, Vec3(x, 0, 0), Vec3(x > 1 ? -0.0 : 0.0, 0, 1), x > 0));
+  const PathInfo info = describe_path(path);
+  EXPECT_EQ(info.largest_tilt_move, kNone);
+  EXPECT_EQ(info.largest_tilt_deg, 0);
 }
 
 TEST(DescribePath, TheBoxHoldsArcs) {
