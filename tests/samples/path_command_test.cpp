@@ -65,6 +65,18 @@ TEST(PathInfo, StatesTheRangeOfTheToolAxis) {
   EXPECT_EQ(shop.json("tilted.json").at("largest_tilt_line"), 5);
 }
 
+TEST(PathInfo, NamesTheOptionOfBlocksAtTheStart) {
+  const SmallShop shop;
+  shop.write("a.nc", "G21 G90 G17 G54\nG0 X0 Y0 Z5\nG1 Z1 F100\nM30\n");
+  const auto error_of = [&](const std::string& block) {
+    return shop.run({"path", "info", "a.nc", "--control", "haas", "--start", block}).err;
+  };
+  EXPECT_NE(error_of("G41").find("by G41 in the blocks at the start (--start)"), std::string::npos) << error_of("G41");
+  EXPECT_NE(error_of("G999").find("--start, or start of the machine: 'G999': G999 is not in the table"),
+            std::string::npos)
+      << error_of("G999");
+}
+
 TEST(PathInfo, WarnsOfAnUnknownUnit) {
   const std::string folder = fresh_folder();
   write_text(folder + "/a.apt", "PARTNO/A\nGOTO/0,0,50\nGOTO/0,0,5\nFINI\n");

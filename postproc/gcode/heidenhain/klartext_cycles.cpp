@@ -162,15 +162,14 @@ void KlartextRunner::define_shift(const Words& words) {
 void KlartextRunner::define_tolerance(int step, const Words& words) {
   const auto exceeds = [&](double stated, std::optional<double> covered) { return !(stated <= covered.value_or(0)); };
   const auto turn_reason = [&](const std::string& by) {
-    return "cycle 32 in line " + std::to_string(line_) + " lets rotary axes leave their path by " + by +
-           "; expected --axis-tolerance";
+    return "cycle 32" + in_line(line_) + " lets rotary axes leave their path by " + by + "; expected --axis-tolerance";
   };
   if (step == 1) {
     if (words.size() > 1 || (words.size() == 1 && !words[0].has_number("T"))) return lose_rest("CYCL DEF 32.1 needs T");
     const double stated = words.empty() ? kUnknownValue : length(words[0].value);
     tolerance_open_.clear();
     if (exceeds(stated, setup_.tip_tolerance_mm))
-      tolerance_open_ = "cycle 32 in line " + std::to_string(line_) + " lets the tool leave its path by " +
+      tolerance_open_ = "cycle 32" + in_line(line_) + " lets the tool leave its path by " +
                         (is_known(stated) ? display_text(stated, 4) + " mm" : "an unknown distance") +
                         "; expected --tip-tolerance";
     // Without TA a parameter of the machine states the tolerance of its rotary axes.

@@ -100,7 +100,7 @@ void KlartextRunner::end_tilt(std::string_view positioning) {
     motion_.go_unchecked(MoveKind::rapid, home, "the motion that ends the tilted plane is not known");
     tilt_open_.clear();
   } else if (stays_tilted) {
-    tilt_open_ = "PLANE RESET STAY in line " + std::to_string(line_) +
+    tilt_open_ = "PLANE RESET STAY" + in_line(line_) +
                  " leaves the rotary axes tilted; expected --machine, which states where they are";
   } else if (motion_.mapper().has_machine()) {
     tilt_open_.clear();

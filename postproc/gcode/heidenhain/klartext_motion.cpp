@@ -24,7 +24,7 @@ void KlartextRunner::begin_motion(const PathWords& words) {
     if (row->meaning == Meaning::tip_control_on) begin_tip_control(why_point_open());
     if (row->meaning == Meaning::shortest_on) takes_shortest_ = true;
     if (row->meaning != Meaning::not_checked_path) continue;
-    path_open_ = std::string(row->note) + ", by M" + std::to_string(row->number) + " in line " + std::to_string(line_);
+    path_open_ = std::string(row->note) + ", by M" + std::to_string(row->number) + in_line(line_);
     settle_path();
   }
   if (words.compensation == PathCompensation::none) motion_.end_doubt(ProgramDoubt::compensation);
@@ -142,7 +142,7 @@ void KlartextRunner::activate_rotation(const PathWords& words, Target& to) {
   if (rotation_line_ == 0 || (!has_x && !has_y)) return;
   if (!has_x || !has_y) {
     to.place.xyz.head<2>().setConstant(kUnknownValue);
-    to.open = "CYCL DEF 10 in line " + std::to_string(rotation_line_) +
+    to.open = "CYCL DEF 10" + in_line(rotation_line_) +
               " is active after a motion of X and Y, and this block moves one of them";
     return;
   }
@@ -165,7 +165,7 @@ void KlartextRunner::aim_rotary(const PathWords& words, Target& to) {
   if (words.function(Meaning::shortest_off) != nullptr && to.open.empty())
     to.open = "rotary axes turn in the block of M127, and no manual states when it acts";
   if (!has_tilt_) return;
-  tilt_open_ = "rotary axes turn in a tilted plane in line " + std::to_string(line_);
+  tilt_open_ = "rotary axes turn in a tilted plane" + in_line(line_);
   settle_frame();
 }
 

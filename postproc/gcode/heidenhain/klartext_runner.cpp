@@ -210,9 +210,7 @@ void KlartextRunner::call_tool(std::string_view text) {
   const bool has_tool = has_number || has_name;
   const double oversize = values.contains("DL") ? values["DL"] : 0;
   if (has_tool || values.contains("DL"))
-    length_open_ = std::abs(oversize) <= 0
-                       ? ""
-                       : "TOOL CALL in line " + std::to_string(line_) + " has an oversize DL of its length";
+    length_open_ = std::abs(oversize) <= 0 ? "" : "TOOL CALL" + in_line(line_) + " has an oversize DL of its length";
   if (!has_tool) return settle_length();  // the spindle speed, and an oversize
   if (axis.empty()) return lose_rest("TOOL CALL states no tool axis");
   PathTool loaded;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "postproc/gcode/iso/block_runner.h"
+#include "postproc/gcode/running/program_text.h"
 
 // Tool lengths, tool centre point control, work offsets and tilted frames.
 
@@ -43,7 +44,7 @@ void BlockRunner::take_lengths() {
   to.xyz.z() = kUnknownValue;
   motion_.go_unchecked(MoveKind::rapid, to,
                        std::string(parameter) + " states whether " + code_text(of_length->letter, of_length->number) +
-                           " in line " + std::to_string(line_) + " moves Z; expected an absolute Z in its block");
+                           in_line(line_) + " moves Z; expected an absolute Z in its block");
 }
 
 void BlockRunner::take_length(const GcodeRow& row) {
@@ -61,8 +62,8 @@ void BlockRunner::take_length(const GcodeRow& row) {
       motion_.end_doubt(ProgramDoubt::length);
       if (is_of_length_group) {
         if (!h && (words_.has('H') || !index_.control().has_default_length))
-          return motion_.doubt(ProgramDoubt::length, code_text(row.letter, row.number) + " in line " +
-                                                         std::to_string(line_) + " has no H that states its length");
+          return motion_.doubt(ProgramDoubt::length,
+                               code_text(row.letter, row.number) + in_line(line_) + " has no H that states its length");
         motion_.apply_length(h);
       }
       if (row.meaning == Code::tip_control_on)
@@ -87,7 +88,7 @@ void BlockRunner::take_length(const GcodeRow& row) {
     case Code::turned_offset_on:
       if (!motion_.mapper().has_machine())
         motion_.doubt(ProgramDoubt::tip_control,
-                      code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
+                      code_text(row.letter, row.number) + in_line(line_) +
                           " shifts positions by the places of the rotary joints; expected --machine, and a block that "
                           "states them");
       motion_.set_tip_control(motion_.tip_control() == TipControl::off ? TipControl::turned_offset
@@ -107,7 +108,7 @@ void BlockRunner::take_length(const GcodeRow& row) {
 void BlockRunner::begin_tip_control(const GcodeRow& row) {
   motion_.set_tip_control(TipControl::on);
   motion_.end_doubt(ProgramDoubt::tip_control);
-  const std::string code = code_text(row.letter, row.number) + " in line " + std::to_string(line_);
+  const std::string code = code_text(row.letter, row.number) + in_line(line_);
   const bool turns_table = std::ranges::any_of(
       setup_.machine->rotary, [&](std::size_t k) { return setup_.machine->joints[k].side == JointSide::table; });
   const bool follows_table = index_.control().has_tip_frame_of_table || setup_.tip_frame == TipFrame::table;

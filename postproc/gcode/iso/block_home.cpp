@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "postproc/gcode/iso/block_runner.h"
+#include "postproc/gcode/running/program_text.h"
 
 // Motions to places of the machine.
 
@@ -80,7 +81,7 @@ void BlockRunner::go_home(const GcodeRow& row) {
 void BlockRunner::end_length_by(const GcodeRow& row) {
   const bool may_end = row.meaning == GcodeMeaning::home || words_.is_axis('Z');
   if (!row.cancels_length || !may_end) return;
-  motion_.lose_length(code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
+  motion_.lose_length(code_text(row.letter, row.number) + in_line(line_) +
                       " cancels the tool length; expected G43 after it");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/number_text.h"
+#include "postproc/gcode/running/program_text.h"
 
 namespace gouge {
 namespace {
@@ -183,8 +184,7 @@ void BlockRunner::set_feed() {
 void BlockRunner::take_path_control(const GcodeRow& row) {
   const ProgramDoubt kind = doubt_of(row.group);
   if (row.meaning == Meaning::not_checked) {
-    motion_.doubt(kind, std::string(row.note) + ", by " + code_text(row.letter, row.number) + " in line " +
-                            std::to_string(line_));
+    motion_.doubt(kind, std::string(row.note) + ", by " + code_text(row.letter, row.number) + in_line(line_));
     return;
   }
   if (row.meaning == Meaning::harmless && kind != ProgramDoubt::rest) {
@@ -203,7 +203,7 @@ void BlockRunner::take_blending(const GcodeRow& row) {
     distance_mm = letter != row.distance.front() ? distance_mm + stated : stated > 0 ? stated : kUnknownValue;
   }
   lost_.clear();  // an unknown distance is one that the user covers, or a doubt
-  const std::string where = line_ == 0 ? ", in force at the start," : " in line " + std::to_string(line_);
+  const std::string where = line_ == 0 ? ", in force at the start," : in_line(line_);
   const std::string word = code_text(row.letter, row.number) + where;
   // No manual at hand states a bound for the rotary joints.
   motion_.doubt_turns(

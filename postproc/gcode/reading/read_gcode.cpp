@@ -121,8 +121,8 @@ std::optional<Diagnostic> find_wrong_start(const Toolpath& path, const std::stri
   constexpr std::string_view kOfStart = "line 0: ";
   const auto wrong = path.words_not_understood.lower_bound(std::string(kOfStart));
   if (wrong == path.words_not_understood.end() || !wrong->first.starts_with(kOfStart)) return std::nullopt;
-  return make_error("usage",
-                    "--start, or start of the machine: '" + start + "': " + wrong->first.substr(kOfStart.size()));
+  return make_error("usage", "--start, or start of the machine: '" + std::string(trim_blanks(start)) +
+                                 "': " + wrong->first.substr(kOfStart.size()));
 }
 
 /// Describes why no motion of a program can be checked: the reason of its first move, else its last note.

@@ -86,4 +86,8 @@ std::optional<std::size_t> ProgramText::find_label(char letter, int number, std:
   return found;
 }
 
+std::string in_line(std::size_t line) {
+  return line == 0 ? " in the blocks at the start (--start)" : " in line " + std::to_string(line);
+}
+
 }  // namespace gouge

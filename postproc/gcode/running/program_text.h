@@ -64,6 +64,9 @@ inline constexpr std::size_t kMaxRepeatedBlocks = 20'000;
 inline constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
 #endif
 
+/// Returns " in line 12", or for 0 " in the blocks at the start (--start)", which are no lines of the program.
+[[nodiscard]] std::string in_line(std::size_t line);
+
 /// Adds the lines of a text that are not blank, without a byte order mark before them. Cost: one pass at the
 /// speed of memory.
 void add_lines(std::string_view text, SourceStatements& lines);

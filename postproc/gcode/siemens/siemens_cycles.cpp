@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "postproc/gcode/running/program_text.h"
 #include "postproc/gcode/siemens/siemens_runner.h"
 
 // Drilling cycles as the motions that the control makes. Pecks are on the line of the hole.
@@ -26,8 +27,8 @@ void SiemensRunner::note_change(const std::string& variable, std::size_t line) {
   const bool is_used = std::ranges::any_of(
       used, [&](const std::string& one) { return one == variable || (one == "R" && is_r_parameter(variable)); });
   if (is_used)
-    modes_.open_modal_cycle = variable + ", an argument of MCALL " + modes_.modal_cycle->name + ", changes in line " +
-                              std::to_string(line) + " before the cycle runs";
+    modes_.open_modal_cycle = variable + ", an argument of MCALL " + modes_.modal_cycle->name + ", changes" +
+                              in_line(line) + " before the cycle runs";
 }
 
 void SiemensRunner::drill(const SiemensWord& cycle) {

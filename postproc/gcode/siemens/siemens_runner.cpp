@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "postproc/gcode/running/program_text.h"
 
 namespace gouge {
 namespace {
@@ -35,7 +36,7 @@ void SiemensRunner::lose_rest(const std::string& reason, std::size_t line) {
   lose_program(reason, line, input_);
 }
 
-std::string SiemensRunner::here(const std::string& what) const { return what + " in line " + std::to_string(line_); }
+std::string SiemensRunner::here(const std::string& what) const { return what + in_line(line_); }
 
 SiemensNext SiemensRunner::run(const SiemensBlock& block, std::size_t line) {
   line_ = line;
