@@ -156,7 +156,7 @@ void note_missing(const ProjectOption& option, std::ostream& out) {
     const std::string file = word.substr(word.starts_with(begin) ? begin.size() : 0);
     std::error_code ignored;
     const bool is_there = fs::exists(file, ignored) || fs::exists(file.substr(0, file.find(',')), ignored);
-    if (!is_there) out << "no such file yet: " << printable(file) << "\n";
+    if (!is_there) out << "no such file yet: " << printable(file) << " (the project names it all the same)\n";
   }
 }
 

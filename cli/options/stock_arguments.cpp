@@ -6,6 +6,7 @@
 
 #include "cli/options/job_options.h"
 #include "cli/terminal/length_text.h"
+#include "lib/base/similar_name.h"
 
 namespace gouge {
 namespace {
@@ -40,10 +41,16 @@ BeforeText split_before(const std::string& typed) {
 
 Result<StockShape> understand_stock_shape(const std::string& typed) {
   const std::optional<StockShape> shape = parse_stock_shape(typed);
+  if (!shape) return usage_error(kOption, typed, kStockForms);
   std::error_code ignored;
-  // A misspelt form, such as bx=2 or parts+2.
-  const bool is_form = names_stock_file(typed) && !is_stl_name(typed) && typed.find_first_of("=+") != std::string::npos;
-  if (!shape || (is_form && !std::filesystem::exists(typed, ignored))) return usage_error(kOption, typed, kStockForms);
+  if (!names_stock_file(typed) || is_stl_name(typed) || std::filesystem::exists(typed, ignored)) return *shape;
+  // A misspelt form, such as bx=2, parts+2 or boxx.
+  const bool is_form = typed.find_first_of("=+") != std::string::npos;
+  const bool is_name = typed.find_first_of("./") == std::string::npos;
+  const std::string similar = is_name && !is_form ? find_similar_name(typed, {"box"}) : "";
+  if (!similar.empty())
+    return usage_error(kOption, typed, std::string(kStockForms) + "; did you mean " + similar + "?");
+  if (is_form) return usage_error(kOption, typed, kStockForms);
   return *shape;
 }
 

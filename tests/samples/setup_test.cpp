@@ -109,6 +109,17 @@ TEST(SetUp, AResolutionAboveTheToleranceIsSaidWithItsNumbers) {
     EXPECT_EQ(shop.check("a", path_text(stations()), fine).err, "") << fine.back();
 }
 
+TEST(SetUp, AMisspelledShapeOfTheStockIsToldFromAFile) {
+  const SmallShop shop;
+  const auto error_of = [&](const std::string& stock) {
+    return shop.check("a", path_text(stations()), {"--stock", stock}).err;
+  };
+  EXPECT_NE(error_of("boxx").find("; did you mean box? [usage]"), std::string::npos) << error_of("boxx");
+  EXPECT_NE(error_of("raw.stl").find("[file-not-found]"), std::string::npos) << error_of("raw.stl");
+  shop.write("boxx", plate_stl(1, 5));
+  EXPECT_EQ(error_of("boxx").find("did you mean"), std::string::npos) << error_of("boxx");
+}
+
 TEST_F(SunkJaw, IsTheSameAtAnyNumberOfThreads) {
   EXPECT_EQ(run("check", {"--threads", "1"}).err, run("check", {"--threads", "3"}).err);
 }
