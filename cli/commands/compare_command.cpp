@@ -46,7 +46,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command.footer(
       "Examples:\n"
       "  gougecheck compare monday/result.json today/result.json --html changes.html\n"
-      "  gougecheck compare night1 night2 --html changes.html      # two batches, job by job\n\n"
+      "  gougecheck compare night1 night2 --html changes.html    # two batches\n\n"
       "Two findings are the same if the same motions gouge, with the same tool and body. If the other path does "
       "not have these motions, the statement and the place on the part are compared, or the place alone. A "
       "finding is gone only if the new run checked the motions of this finding, or the moves that replace "
