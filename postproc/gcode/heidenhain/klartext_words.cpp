@@ -25,7 +25,9 @@ class WordReader {
         continue;
       }
       KlartextWord& word = words.emplace_back();
-      if (!take_name(word)) return "'" + std::string(text_.substr(0, 20)) + "' is not understood";
+      if (!take_name(word))
+        return "'" + std::string(text_.substr(0, 20)) + "' is not understood" +
+               (is_decimal_comma(words) ? " (a decimal comma: write a point)" : "");
       if (!take_value(word)) return word.name + " has no value that is understood";
     }
     return {};
@@ -35,6 +37,12 @@ class WordReader {
   bool skip() {
     while (!text_.empty() && (text_[0] == ' ' || text_[0] == '\t')) text_.remove_prefix(1);
     return !text_.empty();
+  }
+
+  /// Returns whether the rest begins with a comma and a digit, directly after a word with a value.
+  [[nodiscard]] bool is_decimal_comma(const std::vector<KlartextWord>& words) const {
+    return words.size() > 1 && words[words.size() - 2].kind == KlartextWord::Kind::number && text_.size() > 1 &&
+           text_[0] == ',' && is_digit(text_[1]);
   }
 
   // A parameter may follow its address directly: XQ5.

@@ -46,6 +46,12 @@ TEST(KlartextWords, RefuseWhatIsNoWord) {
     EXPECT_EQ(words_of(text).substr(0, 6), "wrong:") << text;
 }
 
+TEST(KlartextWords, NameADecimalComma) {
+  EXPECT_EQ(words_of("X+12,5 FMAX"), "wrong: ',5 FMAX' is not understood (a decimal comma: write a point)");
+  EXPECT_EQ(words_of("FMAX ,5"), "wrong: ',5' is not understood");
+  EXPECT_EQ(words_of("X+12 , Y5"), "wrong: ', Y5' is not understood");
+}
+
 TEST(KlartextWords, RefuseParametersOfTheControl) {
   QParameters parameters;
   parameters.set("Q120", 5);
