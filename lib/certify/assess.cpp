@@ -78,7 +78,9 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   fact.value = setup.basis.place.empty() ? "as the files are" : setup.basis.place + " (mm, degrees)";
   fact.code = "scene-misplaced";
   fact.file = path.file;
-  fact.remedy = "check units, --place and the sign of the axis, or state that it is right with --assume placement";
+  fact.remedy =
+      "check units, --place (of a program also --offset) and the sign of the axis, or state that it is right with "
+      "--assume placement";
   if (auto misplaced = find_misplacement(path, setup, result)) {
     fact.basis = Basis::contradicted;
     fact.evidence = std::move(*misplaced);
