@@ -1,6 +1,8 @@
 #include "postproc/accept/accepted.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -63,9 +65,23 @@ Json entry_json(const Acceptance& a) {
           {"setup", setup_json(a.setup)},   {"moves", std::move(moves)}};
 }
 
-// Returns the seal of an entry: the hash of its text without the seal. Keys are in alphabetical order, so white space
-// and the order of keys have no effect.
-std::string seal_of(const nlohmann::json& entry) {
+// Writes whole numbers as such. Other programs that save the file again may write 0 for 0.0.
+template <class AnyJson>
+void write_whole_numbers(AnyJson& json) {
+  constexpr double kMaxWhole = 1e15;  // every whole number up to it has its own double
+  if (json.is_structured()) {
+    for (AnyJson& part : json) write_whole_numbers(part);
+  } else if (json.is_number_float()) {
+    const auto value = json.template get<double>();
+    if (std::abs(value) <= kMaxWhole && !(std::abs(std::trunc(value) - value) > 0))
+      json = static_cast<std::int64_t>(value);
+  }
+}
+
+// Returns the seal of an entry: the hash of its text without the seal. Keys are in alphabetical order, so white space,
+// the order of keys and the notation of numbers have no effect.
+std::string seal_of(nlohmann::json entry) {
+  write_whole_numbers(entry);
   return "sha256:" + sha256_of(entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
@@ -186,7 +202,8 @@ namespace {
 
 Json sealed_json(const Acceptance& entry) {
   Json json = entry_json(entry);
-  json["seal"] = seal_of(nlohmann::json(json));
+  write_whole_numbers(json);
+  json["seal"] = seal_of(json);
   return json;
 }
 

@@ -224,6 +224,21 @@ TEST_F(Accept, AddsToNoPipe) {
             "[accepted-format]\n");
 }
 
+TEST_F(Accept, OtherProgramsMaySaveTheFileWithAnotherNotationOfItsNumbers) {
+  accept_deep();
+  std::string text = shop_.read("accepted.json");
+  for (const char* const key : {"stock_to_leave_mm", "shank_clearance_mm", "holder_clearance_mm"}) {
+    const std::string whole = std::string("\"") + key + "\": 0";
+    const std::size_t at = text.find(whole);
+    ASSERT_NE(at, std::string::npos) << text;
+    text.insert(at + whole.size(), ".0");
+  }
+  shop_.write("accepted.json", text);
+  EXPECT_EQ(check(path_text(stations(kDeep))).exit_status, 0);
+  shop_.write("accepted.json", nlohmann::json::parse(text).dump());
+  EXPECT_EQ(check(path_text(stations(kDeep))).exit_status, 0) << "in one line, with its keys in another order";
+}
+
 TEST_F(Accept, NumbersEditedByHandAreRefused) {
   accept_deep();
   const std::string whole = shop_.read("accepted.json"), path = path_text(stations({{40, -0.5}, {50, -0.2}}));
