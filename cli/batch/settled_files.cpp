@@ -52,7 +52,9 @@ FileStamps SettledFiles::look(double now_s) {
     const std::string path = entry->path().string(), name = entry->path().filename().string();
     struct stat file {};
     if (is_passed_over(name) || ::fnmatch(pattern_.c_str(), name.c_str(), 0) != 0) continue;
-    if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) continue;
+    // A link that leads nowhere is no less settled than a file: its job fails, and so it is not overlooked.
+    const bool leads_nowhere = ::stat(path.c_str(), &file) != 0 && entry->is_symlink(ignored);
+    if (!leads_nowhere && !S_ISREG(file.st_mode)) continue;
     const FileStamp stamp{file.st_mtim.tv_sec * std::int64_t{1'000'000'000} + file.st_mtim.tv_nsec, file.st_size};
     const auto before = seen_.find(path);
     const double since_s = before != seen_.end() && before->second.stamp == stamp ? before->second.since_s : now_s;

@@ -66,5 +66,15 @@ TEST(SettledFiles, PassOverHiddenAndTemporaryOnesAndWhatThePatternLeavesOut) {
   EXPECT_EQ(settled(SettledFiles(folder + "/*.apt")), "a.apt ");
 }
 
+TEST(SettledFiles, HoldLinksThatLeadNowhere) {
+  const TemporaryFolder temporary;
+  fs::create_symlink("nowhere.apt", temporary.at("dead.apt"));
+  SettledFiles files(temporary.path());
+  static_cast<void>(files.look(0));
+  const FileStamps settled = files.look(1);
+  ASSERT_EQ(settled.size(), 1U);
+  EXPECT_EQ(settled.begin()->first, temporary.at("dead.apt"));
+}
+
 }  // namespace
 }  // namespace gouge::settled_files_test
