@@ -4,10 +4,10 @@
 #include <cmath>
 #include <filesystem>
 #include <ostream>
-#include <set>
 #include <thread>
 
 #include "cli/batch/batch_identity.h"
+#include "cli/batch/batch_notes.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/batch_watch.h"
 #include "cli/batch/settled_files.h"
@@ -81,19 +81,21 @@ class Batch {
   [[nodiscard]] bool is_busy() const { return is_busy_; }
 
  private:
-  // Runs the jobs. A watched folder needs no advice, because its next run takes the finished jobs by itself.
+  // Runs the jobs. The next run of a watched folder takes the finished jobs by itself.
   Outcome run_jobs(BatchRun& batch, const BatchPlan& plan) {
     std::optional<EndNote> note;
-    if (ranks_->is_first() && !arguments_.is_quiet && arguments_.watch.empty())
-      note.emplace(
-          std::string(is_terminal(err_) ? "\n" : "") +
-          "gougecheck: note: the batch was interrupted; what is done is kept: the same command with --resume goes on "
-          "from there [batch-interrupted]\n");
+    const char* const same = arguments_.watch.empty() ? "the same command with --resume" : "the same command";
+    if (ranks_->is_first() && !arguments_.is_quiet)
+      note.emplace(std::string(is_terminal(err_) ? "\n" : "") +
+                   "gougecheck: note: the batch was interrupted; what is done is kept: " + same +
+                   " goes on from there [batch-interrupted]\n");
     return batch.run(plan);
   }
 
   std::optional<int> prepare() {
     if (const auto wrong = find_contradiction(arguments_)) return refuse(*wrong);
+    if (arguments_.is_resumed && arguments_.is_fresh)
+      return refuse(make_error("usage", "--resume keeps results that --fresh makes again; expected one of both"));
     const Result<Shard> shard = understand_shard(arguments_.shard);
     if (!shard) return refuse(shard.error());
     shard_ = *shard;
@@ -121,7 +123,7 @@ class Batch {
                                              : list_jobs(arguments_.files, arguments_.words, place_);
     if (!jobs) return refuse(jobs.error());
     jobs_ = std::move(*jobs);
-    note_left_baseline();
+    if (!arguments_.is_quiet && ranks_->is_first()) note_left_baseline(jobs_, arguments_.files.front(), err_);
     for (BatchJob& job : jobs_) {
       if (arguments_.is_forced) job.job().is_forced = true;
     }
@@ -129,16 +131,6 @@ class Batch {
             find_jobs_in_the_way(jobs_, place_, is_job_list(arguments_) ? arguments_.files.front() : std::string()))
       return refuse(*wrong);
     return std::nullopt;
-  }
-
-  // Notes that the baseline in the defaults of a list holds for its checks alone.
-  void note_left_baseline() const {
-    const auto count = std::ranges::count_if(jobs_, &BatchJob::leaves_baseline);
-    if (count == 0 || arguments_.is_quiet || !ranks_->is_first()) return;
-    print(err_, {make_note("jobs-baseline",
-                           "\"baseline\" of the defaults does not hold for " +
-                               count_text(static_cast<std::size_t>(count), "job") + " with the command correct",
-                           arguments_.files.front())});
   }
 
   int list() const {
@@ -169,7 +161,9 @@ class Batch {
     }
     if (const auto wrong = find_other_shard()) return fail_to_open(*wrong);
     if (const auto wrong = find_foreign()) return fail(err_, {*wrong}, kExitUsage);
-    note_replaced();
+    // The jobs of a watched folder come and go.
+    if (arguments_.watch.empty() && !arguments_.is_fresh && !arguments_.is_quiet)
+      note_replaced(*store_, identity_, arguments_.folder, err_);
     if (const Outcome begun = store_->begin(identity_); !begun) return fail_to_open(begun.error());
     if (arguments_.is_fresh) remove_work(arguments_.folder);
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
@@ -192,19 +186,6 @@ class Batch {
         "the folder has another share of these jobs; expected a folder for each --shard, or --fresh, which "
         "drops what is there",
         arguments_.folder);
-  }
-
-  // Notes jobs of an earlier batch that the results of this one replace. The jobs of a watched folder come and go.
-  void note_replaced() {
-    if (!arguments_.watch.empty() || arguments_.is_fresh || arguments_.is_quiet) return;
-    const std::set<std::string> names(identity_.names.begin(), identity_.names.end());
-    const auto replaced =
-        std::ranges::count_if(store_->stored(), [&](const StoredJob& job) { return !names.contains(job.name); });
-    if (replaced == 0) return;
-    print(err_, {make_note("batch-replaced",
-                           "holds the results of " + count_text(static_cast<std::size_t>(replaced), "other job") +
-                               ", which this batch replaces",
-                           arguments_.folder)});
   }
 
   // Finds a corrected toolpath that a job would replace, but that no batch wrote. For a report, the command of the job

@@ -35,6 +35,21 @@ TEST(Batch, WatchesAFolderAndChecksWhatIsWrittenThere) {
   EXPECT_EQ(jobs.at(1).at("job"), "second");
 }
 
+TEST(Batch, TellsHowToGoOnWhenAWatchEndsWithinAJob) {
+  const std::string folder = samples_with_list({"freeform"});
+  const Outcome ran = run_script(
+      folder,
+      "mkdir hot; for i in $(seq 30); do cp freeform/freeform.apt hot/$i.apt; done\n"
+      "$GOUGECHECK batch --watch hot --part freeform/part.stl --tools freeform/tools.json --jobs 1 -o out > log 2>&1 & "
+      "watch=$!\n"
+      "for i in $(seq 600); do [ -e out/results.sqlite ] && break; sleep 0.1; done; sleep 0.5\n"
+      "kill -INT $watch; kill -TERM $watch; wait $watch; cat log");
+  EXPECT_NE(ran.out.find("note: the batch was interrupted; what is done is kept: the same command goes on from there "
+                         "[batch-interrupted]"),
+            std::string::npos)
+      << ran.out << ran.err;
+}
+
 TEST(Batch, WatchesNoFolderThatDoesNotExist) {
   const std::string folder = samples_with_list({"needles"});
   for (const char* place : {"nowhere", "nowhere/*.apt", "needles/nowhere", "nowhere/"}) {
