@@ -215,8 +215,8 @@ class RunPlanner {
     const MoveVerdict verdict = space.verdict(i, Tilt::Zero());
     const LengthUnit unit = job_.path.unit;
     const std::string where = space[i].t > 0 ? "on line " : "at the beginning of line ";
-    return where + std::to_string(job_.path.moves[space[i].move].line) +
-           " the tool stays as programmed, and there the " +
+    return "a tilt would have to leave the tool as programmed " + where +
+           std::to_string(job_.path.moves[space[i].move].line) + ", and there the " +
            body_name(verdict.witness ? verdict.witness->body : Body::cutter) + " is " +
            display_text(verdict.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
            " too deep";
