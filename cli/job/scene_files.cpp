@@ -44,19 +44,25 @@ class SceneLoader {
     }
   }
 
+  // Adds an error of a head, once for all its pieces.
+  void add_error(const Diagnostic& error) {
+    const auto is_same = [&](const Diagnostic& other) { return to_text(other) == to_text(error); };
+    if (std::ranges::none_of(files_->errors, is_same)) files_->errors.push_back(error);
+  }
+
   void add_head(const IndexedMesh& piece) {
     Result<HeadBody> head = build_head_body(piece);
-    if (!head) return files_->errors.push_back(head.error());
+    if (!head) return add_error(head.error());
     const std::vector<IndexedMesh> shells = shells_of(piece);
     const auto crosses = [](const IndexedMesh& shell) {
       const MeshValidation judged = validate_mesh(shell, find_mesh_findings(shell));
       return judged.self_intersections.pairs > 0 || !judged.trouble.empty();
     };
     if (std::any_of(shells.begin(), shells.end(), crosses)) {
-      return files_->errors.push_back(make_error("mesh-head-crosses",
-                                                 "crosses itself, so what is inside the head is not defined; expected "
-                                                 "a plain solid; 'gougecheck mesh FILE' reports where",
-                                                 piece.name));
+      return add_error(make_error("mesh-head-crosses",
+                                  "crosses itself, so what is inside the head is not defined; expected a plain solid; "
+                                  "'gougecheck mesh FILE' reports where",
+                                  piece.name));
     }
     files_->heads.push_back(std::move(*head));
   }
