@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "cli/terminal/progress.h"
+#include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -33,6 +35,25 @@ constexpr int kShownDecimals = 4;
 
 std::string path_row(const std::string& name, const std::string& value) {
   return padded(name, kPathLabelWidth - 1) + " " + printable(value) + "\n";
+}
+
+/// Returns rows with their values broken at blanks, for a terminal of `columns`; 0: as they are.
+std::string wrapped_rows(const std::string& rows, std::size_t columns) {
+  constexpr std::size_t kMinValueWidth = 20;
+  if (columns < kPathLabelWidth + kMinValueWidth) return rows;
+  std::string text;
+  std::istringstream lines(rows);
+  for (std::string line; std::getline(lines, line);) {
+    if (display_width(line) <= columns) {
+      text += line + "\n";
+      continue;
+    }
+    std::istringstream values(wrapped(line.substr(kPathLabelWidth), columns - kPathLabelWidth, 0));
+    std::string label = line.substr(0, kPathLabelWidth);
+    for (std::string value; std::getline(values, value); label = std::string(kPathLabelWidth, ' '))
+      text += label + value + "\n";
+  }
+  return text;
 }
 
 std::string shown(double value) { return display_text(value, kShownDecimals); }
@@ -192,7 +213,7 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   const std::string title(dialect.title);
   Outcome written = Done{};
   if (!arguments.json_file.empty()) written = write_output(arguments.json_file, path_info_json(path, info), out);
-  if (arguments.json_file != "-") out << path_info_text(path, info, title);
+  if (arguments.json_file != "-") out << wrapped_rows(path_info_text(path, info, title), terminal_columns(out));
   print(err, path.notes);
   return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
 }
