@@ -208,9 +208,10 @@ class FindingsWriter {
       add(*model_.toolpath, model_.toolpath->moves[groups[k].first_move].line, group_text(groups[k]), Paint::warning);
       add_statement(groups[k].first_move);
     }
-    if (most < groups.size())
-      text_ += "and " + grouped_text(groups.size() - most) +
-               " more reasons why moves are open (--max-findings all lists them)\n";
+    if (const std::size_t more = groups.size() - most; more > 0)
+      text_ += summary_line("and " + grouped_text(more) + " more " + (more == 1 ? "reason" : "reasons") +
+                                " why moves are open (--max-findings all lists them)",
+                            view_.columns);
   }
 
   // Adds a line; the word before the first colon of `what` is its kind.
@@ -253,10 +254,11 @@ class FindingsWriter {
   void add_rest(const ListedFindings& listed) {
     const LengthUnit unit = model_.toolpath->unit;
     if (listed.more > 0) {
-      text_ += "and " + grouped_text(listed.more) + " more" +
-               (listed.deepest_more_mm > 0 ? ", the deepest " + depth_text(listed.deepest_more_mm, unit, model_.options)
-                                           : std::string()) +
-               " (--max-findings all lists them)\n";
+      const std::string deepest = listed.deepest_more_mm > 0
+                                      ? ", the deepest " + depth_text(listed.deepest_more_mm, unit, model_.options)
+                                      : std::string();
+      text_ += summary_line("and " + grouped_text(listed.more) + " more" + deepest + " (--max-findings all lists them)",
+                            view_.columns);
     }
     if (listed.shallower > 0)
       text_ += grouped_text(listed.shallower) + " not listed, less deep than --min-depth " +
