@@ -265,7 +265,7 @@ Result<std::vector<ListedJob>> named_results(const AcceptArguments& arguments) {
   std::vector<ListedJob> all;
   for (const std::string& typed : arguments.results) {
     if (!is_batch_folder(typed)) {
-      if (const auto interrupted = refuse_batch_folder(typed)) return *interrupted;
+      if (const auto other = refuse_other_folder(typed)) return *other;
       all.push_back({{}, {}, result_in(typed)});
       continue;
     }

@@ -6,7 +6,7 @@
 namespace gouge {
 
 Result<StoredResult> load_result(const std::string& typed, const InputLimit& limit) {
-  if (const auto batch = refuse_batch_folder(typed)) return *batch;
+  if (const auto other = refuse_other_folder(typed)) return *other;
   const std::string file = result_in(typed);
   const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();

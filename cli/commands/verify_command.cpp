@@ -67,7 +67,7 @@ int run_verify(const VerifyArguments& typed, std::ostream& out, std::ostream& er
   if (!seconds || !(*seconds >= 0 && *seconds <= kMaxSeconds))
     return fail(err, {usage_error("--seconds", a.seconds, "a number of seconds, 0 or more")});
   if (is_batch_folder(typed.result_file)) return run_verify_batch(typed, *seconds, out, err);
-  if (const auto interrupted = refuse_batch_folder(typed.result_file)) return fail(err, {*interrupted});
+  if (const auto other = refuse_other_folder(typed.result_file)) return fail(err, {*other});
   a.result_file = result_in(typed.result_file);
   Progress progress(err, understand_progress(a.progress));
   progress.begin("reading " + a.result_file);

@@ -170,11 +170,15 @@ Outcome ReportFolder::commit() {
   return put_manifest({new_, true, toolpath_});
 }
 
-std::optional<Diagnostic> refuse_batch_folder(const std::string& name) {
+std::optional<Diagnostic> refuse_other_folder(const std::string& name) {
   if (is_interrupted_batch(name)) return make_error("usage", "'" + name + "' " + kIsInterrupted);
-  if (!is_batch_folder(name)) return std::nullopt;
-  return make_error("usage", "'" + name + "' is the folder of a batch; expected one result of it: " +
-                                 (std::filesystem::path(name) / kReportsFolder / "JOB").string());
+  if (is_batch_folder(name))
+    return make_error("usage", "'" + name + "' is the folder of a batch; expected one result of it: " +
+                                   (fs::path(name) / kReportsFolder / "JOB").string());
+  std::error_code ignored;
+  if (!fs::is_directory(name, ignored) || fs::exists(result_in(name), ignored)) return std::nullopt;
+  return make_error("usage", "'" + name + "' is a folder without " + kResultName +
+                                 "; expected a result of check --json, or the folder of check --report");
 }
 
 }  // namespace gouge

@@ -19,9 +19,9 @@ namespace gouge {
 /// The rest of a sentence that begins with the name of such a folder.
 inline constexpr const char* kIsInterrupted =
     "is the folder of a batch that was interrupted; finish it with gougecheck batch ... --resume";
-/// Returns the error for the folder of a batch where one result is expected, also of one that was interrupted; none for
-/// any other name. Code: usage.
-[[nodiscard]] std::optional<Diagnostic> refuse_batch_folder(const std::string& name);
+/// Returns the error for a folder where one result is expected, if it is not that of a report: the folder of a batch, also
+/// of one that was interrupted, or a folder without a result. None for any other name. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> refuse_other_folder(const std::string& name);
 
 /// The folder of --report, in which a new report replaces an older one and nothing else. The manifest of the older
 /// report states its files, by name and content. Every other file with a name of a report is foreign, and refused
