@@ -52,8 +52,10 @@ std::string BatchComparison::counts() const {
   const auto count = [&](ExitCode status) {
     return std::to_string(std::ranges::count(jobs, status, &ComparedJob::exit_status));
   };
+  const auto without_findings = std::ranges::count_if(jobs, [](const ComparedJob& job) { return !job.comparison; });
   return count_text(jobs.size(), "job") + ": " + count(kExitGouges) + " worse, " + count(kExitNotChecked) +
-         " not fully checked, " + count(kExitClean) + " no worse";
+         " not fully checked, " + count(kExitClean) + " no worse" +
+         (without_findings > 0 ? "; of " + std::to_string(without_findings) + " only the verdicts were compared" : "");
 }
 
 std::string comparison_text(const BatchComparison& batches, bool has_same) {

@@ -106,7 +106,8 @@ TEST_F(PartZero, AMoveBeyondALimitIsRefutedIfAResultCallsItClean) {
   write_text(sample_.path + "/forged.json", text.replace(text.find(zero), zero.size(), "\"zero\": \"500,0,0\""));
   const Outcome ran = run_gougecheck(sample_.path, {"verify", "forged.json"});
   EXPECT_EQ(ran.exit_status, 1) << ran.out;
-  EXPECT_TRUE(has(ran.out, "it cannot be checked: the machine cannot be there: joint X would be beyond its limit, ")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "it cannot be checked: the machine cannot be there: joint X would be beyond its limit, "))
+      << ran.out;
 }
 
 TEST_F(PartZero, IsRefusedWithoutAMachineAndInOtherForms) {
