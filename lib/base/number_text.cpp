@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "lib/base/leading_number.h"
 #include "lib/base/letters.h"
 
 namespace gouge {
@@ -19,34 +20,6 @@ namespace {
 bool looks_like_number(std::string_view text) {
   std::size_t i = (!text.empty() && (text[0] == '-')) ? 1 : 0;
   return i < text.size() && (is_digit(text[i]) || text[i] == '.');
-}
-
-// Reads a decimal with few digits and without an exponent, like nearly all numbers in a toolpath. The digits as one
-// integer and the power of ten are both exact doubles. So their quotient is the nearest double (Clinger, How to read
-// floating point numbers accurately, 1990). Returns nothing if this does not hold, or if the text is no such number.
-std::optional<double> few_digits(std::string_view text) {
-  constexpr std::size_t kLongest = 18;  // an integer of fewer digits does not overflow
-  constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;
-  constexpr std::array<double, kLongest + 1> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
-                                                             1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
-  if (text.size() > kLongest) return std::nullopt;
-  const bool is_negative = !text.empty() && text.front() == '-';
-  const char* at = text.data() + (is_negative ? 1 : 0);
-  const char* const end = text.data() + text.size();
-  const char* const first = at;
-  std::uint64_t digits = 0;
-  for (; at != end && is_digit(*at); ++at) digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
-  auto count = at - first;
-  std::size_t decimals = 0;
-  if (at != end && *at == '.') {
-    const char* const point = ++at;
-    for (; at != end && is_digit(*at); ++at) digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
-    decimals = static_cast<std::size_t>(at - point);
-    count += at - point;
-  }
-  if (at != end || count == 0 || digits > kLargestExact) return std::nullopt;
-  const double value = static_cast<double>(digits) / kPowersOfTen[decimals];
-  return is_negative ? -value : value;
 }
 
 bool has_negative_exponent(std::string_view text) {
@@ -71,7 +44,8 @@ std::optional<double> parse_number(std::string_view text) {
     text.remove_prefix(1);
     if (!text.empty() && text[0] == '-') return std::nullopt;
   }
-  if (const std::optional<double> value = few_digits(text)) return value;
+  if (const LeadingNumber number = leading_number(text); number.length > 0 && number.length == text.size())
+    return number.value;
   if (!looks_like_number(text)) return std::nullopt;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "lib/base/leading_number.h"
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 
@@ -65,11 +66,19 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
     for (std::size_t i = 0; i < piece.size() && arguments.size() < kMaxArguments;) {
       const Role role = role_of(piece[i]);
       if (role == Role::text) {
+        is_expecting = false;
+        // Nearly all arguments are plain numbers, whose end is found with their value.
+        const LeadingNumber number = leading_number(piece.substr(i));
+        const std::size_t after = i + number.length;
+        if (number.length > 0 && (after == piece.size() || role_of(piece[after]) != Role::text)) {
+          arguments.push_back({piece.substr(i, number.length), number.value});
+          i = after;
+          continue;
+        }
         const std::size_t begin = i;
         while (i < piece.size() && role_of(piece[i]) == Role::text) ++i;
         const std::string_view text = piece.substr(begin, i - begin);
         arguments.push_back({text, number_of(text)});
-        is_expecting = false;
         continue;
       }
       if (role == Role::comma) {
@@ -136,7 +145,8 @@ bool has_blank_in_number(const Statement& statement) {
   if (!kOfTools.has(statement.word) && std::ranges::none_of(statement.pieces, has_comma)) return false;
   for (const std::string_view piece : statement.pieces) {
     for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
-      if (!is_blank(piece[i]) || is_blank(piece[i + 1]) || !begins_number(piece[i + 1])) continue;
+      if (!is_blank(piece[i]) || !begins_number(piece[i + 1])) continue;
+      if (piece[i - 1] == ',') continue;  // as usual before a number; the general test below is slow
       const std::string_view before = trim(piece.substr(0, i));
       if (before.empty() || !begins_number(before.back())) continue;
       const std::size_t first = before.find_last_of(" \t,()/") + 1, last = piece.find_first_of(" \t,()/", i + 1);
