@@ -66,6 +66,8 @@ class Crew {
 
 void set_default_threads(unsigned threads) { default_threads = threads; }
 
+unsigned usable_threads() { return is_at_work ? 1 : threads_for(0); }
+
 void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body) {
   const std::size_t chunks = (count + chunk - 1) / chunk;

@@ -16,6 +16,9 @@ inline constexpr unsigned kMaxThreads = 1024;
 /// thread is started.
 void set_default_threads(unsigned threads);
 
+/// Returns the number of threads that for_each_chunk uses for 0 when it is called here.
+[[nodiscard]] unsigned usable_threads();
+
 /// Calls `body(first, last)` once for each chunk of [0, count). A chunk has `chunk` items; the last one may be shorter.
 /// With `threads` = 0 it uses all threads of the machine, or the number of set_default_threads. With `threads` = 1 it
 /// runs in the calling thread, in order; so do chunks within a chunk. If the system refuses more threads, the existing

@@ -60,6 +60,10 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
     arguments = statement.decoded;
     return;
   }
+  if (statement.is_split) {
+    arguments = statement.arguments;
+    return;
+  }
   arguments.clear();
   bool is_expecting = true;  // after a comma, or at the start: a further comma means an empty argument
   for (const std::string_view piece : statement.pieces) {

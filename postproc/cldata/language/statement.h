@@ -31,17 +31,19 @@ struct Statement {
   /// The text after the major word, one piece for each physical line, without `$` and comments. A comment has one
   /// piece: the text after `$$`. For `$$->` of Creo that includes its continuation lines.
   std::vector<std::string_view> pieces;
-  bool is_decoded = false;        ///< `decoded` holds the arguments; `pieces` has one piece, of text or empty
-  std::vector<Argument> decoded;  ///< arguments in a file whose format is not APT text
-  bool has_axes = false;          ///< every position has its axis, independent of MULTAX
-  bool is_continuation = false;   ///< its positions continue the path of those in the previous statement
+  bool is_decoded = false;          ///< `decoded` holds the arguments; `pieces` has one piece, of text or empty
+  std::vector<Argument> decoded;    ///< arguments in a file whose format is not APT text
+  bool is_split = false;            ///< `arguments` holds what split_arguments finds
+  std::vector<Argument> arguments;  ///< of a statement that was split ahead of its use
+  bool has_axes = false;            ///< every position has its axis, independent of MULTAX
+  bool is_continuation = false;     ///< its positions continue the path of those in the previous statement
 
   /// Clears the statement, but keeps its memory.
   void clear() {
     line = first_byte = last_byte = 0;
     word = Word::unknown;
     major = {};
-    is_unterminated = hides_comment = is_decoded = has_axes = is_continuation = false;
+    is_unterminated = hides_comment = is_decoded = is_split = has_axes = is_continuation = false;
     pieces.clear();
     decoded.clear();
   }

@@ -15,6 +15,7 @@
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/language/words.h"
+#include "postproc/cldata/lexing/read_ahead.h"
 #include "postproc/cldata/reading/assume_file.h"
 #include "postproc/cldata/reading/foreign_file.h"
 #include "postproc/cldata/reading/unit_guess.h"
@@ -288,6 +289,13 @@ void report_last_line(std::string_view bytes, const Dialect& dialect, Diagnostic
   }
 }
 
+// Opens the statements of a file. A thread reads those of a long file ahead, if there is one.
+std::unique_ptr<StatementSource> open_statements(std::string_view bytes, OpenStatements open) {
+  constexpr std::size_t kLongFile = std::size_t{1} << 20U;
+  auto source = open(bytes, 0, 1);
+  return bytes.size() < kLongFile || usable_threads() < 2 ? std::move(source) : read_ahead(std::move(source));
+}
+
 }  // namespace
 
 ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const Dialect& dialect, OpenStatements open,
@@ -314,7 +322,7 @@ ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const D
   if (records) records->of_move.reserve(lines.with_position);
   Interpreter interpreter(path, dialect, guess.unit, records.get());
   if (options.is_cutcom_centre) interpreter.set_cutter_centre();
-  const auto source = open(path.source, 0, 1);
+  const auto source = open_statements(path.source, open);
   Statement statement;
   Stage stage(progress, "reading " + file_name, lines.with_text);
   for (std::size_t i = 0; !interpreter.is_beyond_cutoff() && source->next(statement); ++i) {
