@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
 
 namespace gouge {
@@ -21,15 +23,34 @@ void extend(Box3& box, const Toolpath& path, std::size_t index) {
   for (const Pose& pose : chords_of(path, index, PathInfo::kBoxError_mm)) box.extend(pose.tip);
 }
 
-void count_motion(const Toolpath& path, std::size_t index, PathInfo& info) {
+/// Finds the largest of many angles between unit vectors. An angle takes long to compute, so that is done only for a chord
+/// between the vectors that is not surely shorter than that of the largest angle.
+class LargestAngle {
+ public:
+  /// Returns the angle if it is larger than all before it and than 0; else none.
+  std::optional<double> note_deg(const Vec3& from, const Vec3& to) {
+    constexpr double kSurelyShorter = 1 - Tolerance::kRounding;
+    const double chord2 = (from - to).squaredNorm();
+    if (!(chord2 > kSurelyShorter * chord2_)) return std::nullopt;
+    const double angle = angle_between_deg(from, to);
+    if (!(angle > largest_deg_)) return std::nullopt;
+    largest_deg_ = angle;
+    chord2_ = chord2;
+    return angle;
+  }
+
+ private:
+  double largest_deg_ = 0, chord2_ = 0;
+};
+
+void count_motion(const Toolpath& path, std::size_t index, LargestAngle& turns, PathInfo& info) {
   const Move& move = path.moves[index];
   if (!move.has_start) {
     ++info.alone;
     return;
   }
-  const double turn = angle_between_deg(path.start_of(index).axis, move.end.axis);
-  if (turn > info.largest_turn_deg) {
-    info.largest_turn_deg = turn;
+  if (const auto turn = turns.note_deg(path.start_of(index).axis, move.end.axis)) {
+    info.largest_turn_deg = *turn;
     info.largest_turn_move = index;
   }
   const double length = move_length_mm(path, index);
@@ -63,18 +84,18 @@ PathInfo describe_path(const Toolpath& path) {
   info.moves_of_tool.assign(path.tools.size(), 0);
   info.moves_of_operation.assign(path.operations.size(), 0);
   PagedVector<AxisKey> axes;
+  LargestAngle turns, tilts;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     ++info.moves_by_kind[static_cast<std::size_t>(move.kind)];
     extend(info.box, path, i);
     const AxisKey key = key_of(move.end.axis);
     if (axes.empty() || axes.back() != key) axes.push_back(key);
-    const double tilt = angle_between_deg(path.moves.front().end.axis, move.end.axis);
-    if (tilt > info.largest_tilt_deg) {
-      info.largest_tilt_deg = tilt;
+    if (const auto tilt = tilts.note_deg(path.moves.front().end.axis, move.end.axis)) {
+      info.largest_tilt_deg = *tilt;
       info.largest_tilt_move = i;
     }
-    count_motion(path, i, info);
+    count_motion(path, i, turns, info);
     if (!move.not_checked_reason.empty()) ++info.not_checkable[std::string(move.not_checked_reason)];
     if (move.tool == kNone) {
       ++info.moves_without_tool;
