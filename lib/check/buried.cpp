@@ -1,6 +1,7 @@
 #include "lib/check/buried.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -100,7 +101,9 @@ class BuriedMarker {
       for (const Vec3& point : points_at(move.end, own[k])) chains.add(first_[i] + k, point);
     }
     if (!move.has_start || i == 0) return;
-    for (std::size_t k = 0; k < own.size(); ++k) {
+    // The same regions were added at this pose by the previous move, and are joined below.
+    const bool is_known = regions_[i - 1] == regions_[i];
+    for (std::size_t k = 0; k < own.size() && !is_known; ++k) {
       for (const Vec3& point : points_at(toolpath_.start_of(i), own[k])) chains.add(first_[i] + k, point);
     }
     if (regions_[i - 1] == nullptr || toolpath_.moves[i - 1].tool != move.tool) return;
@@ -112,25 +115,35 @@ class BuriedMarker {
     }
   }
 
+  /// A few points, without memory of their own: millions of moves have some.
+  struct FewPoints {
+    std::array<Vec3, 4> all;
+    std::size_t count = 0;
+    [[nodiscard]] const Vec3* begin() const { return all.data(); }
+    [[nodiscard]] const Vec3* end() const { return all.data() + count; }
+  };
+
   /// Returns points of a region at a pose: the deepest point, and both ends of a stretch or four points of a ring.
-  static std::vector<Vec3> points_at(const Pose& pose, const FreeRegion& region) {
+  static FewPoints points_at(const Pose& pose, const FreeRegion& region) {
     const Vec3 middle = pose.tip + region.deepest.y() * pose.axis;
     if (region.ring == FreeRegion::kNoRing) {
       constexpr double kWithin = 0.999;
       const double z = region.deepest.y();
-      return {middle, middle + kWithin * (region.z_hi_mm - z) * pose.axis,
-              middle + kWithin * (region.z_lo_mm - z) * pose.axis};
+      return {{middle, middle + kWithin * (region.z_hi_mm - z) * pose.axis,
+               middle + kWithin * (region.z_lo_mm - z) * pose.axis},
+              3};
     }
     const Vec3 e1 = pose.axis.unitOrthogonal(), e2 = pose.axis.cross(e1);
     const double r = region.deepest.x();
-    return {middle + r * e1, middle - r * e1, middle + r * e2, middle - r * e2};
+    return {{middle + r * e1, middle - r * e1, middle + r * e2, middle - r * e2}, 4};
   }
 
   [[nodiscard]] ConnectedPoints points_of(std::size_t item) const {
     const auto after = std::upper_bound(first_.begin(), first_.end(), item);
     const auto i = static_cast<std::size_t>(after - first_.begin()) - 1;
     const Pose& pose = toolpath_.moves[i].end;
-    return {points_at(pose, regions_[i]->regions[item - first_[i]]), {pose.axis}};
+    const FewPoints points = points_at(pose, regions_[i]->regions[item - first_[i]]);
+    return {{points.begin(), points.end()}, {pose.axis}};
   }
 
   void judge(std::size_t i, FreeChains& chains) {

@@ -20,7 +20,7 @@ constexpr std::uint64_t kApproachBudget = 20'000;
 
 bool is_cut(const Move& move, const std::vector<const ToolVariants*>& tools) {
   return move.kind != MoveKind::rapid && move.not_checked_reason.empty() && move.tool < tools.size() &&
-         tools[move.tool] != nullptr && why_unfit(MotionLaw::tool_at(move.end)) == Reason::Kind::none;
+         tools[move.tool] != nullptr && why_unfit(move.end) == Reason::Kind::none;
 }
 
 std::uint64_t mixed(std::uint64_t k) {

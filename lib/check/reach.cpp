@@ -22,6 +22,11 @@ Reason::Kind why_unfit(const Motion& motion) {
   return is_unit(motion.at(0).axis) && is_unit(motion.at(1).axis) ? Reason::Kind::none : Reason::Kind::axis_not_unit;
 }
 
+Reason::Kind why_unfit(const Pose& pose) {
+  if (!is_within_reach(pose.tip)) return Reason::Kind::out_of_reach;
+  return is_unit(pose.axis) ? Reason::Kind::none : Reason::Kind::axis_not_unit;
+}
+
 Reason::Kind why_unfit(const Scene& scene) {
   for (const ObstacleMeshes& obstacle : obstacles_of(scene)) {
     for (const IndexedMesh& mesh : obstacle.meshes) {

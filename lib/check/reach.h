@@ -19,6 +19,9 @@ inline constexpr double kFarthest_mm = 1e5;
 /// unit vector. Returns Kind::none if the motion can be checked.
 [[nodiscard]] Reason::Kind why_unfit(const Motion& motion);
 
+/// Returns the same for a tool that stands at this pose.
+[[nodiscard]] Reason::Kind why_unfit(const Pose& pose);
+
 /// Finds a vertex that is beyond kFarthest_mm or not a number. Returns Kind::none if there is none.
 [[nodiscard]] Reason::Kind why_unfit(const Scene& scene);
 
