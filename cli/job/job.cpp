@@ -40,7 +40,7 @@ std::vector<double> chord_errors_mm(const std::vector<IndexedMesh>& parts, const
     std::vector<std::size_t> events;
     for (std::size_t i = 0; i < result.events.size(); ++i) {
       const Event& event = result.events[i];
-      const std::optional<Witness>& witness = result.verdicts[event.worst_move].witness;
+      const Boxed<Witness>& witness = result.verdicts[event.worst_move].witness;
       const bool is_in_part = event.state == MoveState::gouge && event.against == Against::part && witness;
       if (!is_in_part || witness->mesh != part) continue;
       triangles.push_back(witness->triangle);

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
+#include "lib/base/boxed.h"
 #include "lib/tool/compiled_tool.h"
 
 namespace gouge {
@@ -42,14 +44,15 @@ struct Reason {
   Kind kind = Kind::none;
   Body body = Body::cutter;
   double amount = 0;
-  std::string detail{};
+  Boxed<std::string> detail{};  ///< boxed, because each of millions of moves has a reason
 
+  [[nodiscard]] std::string_view detail_text() const { return detail ? std::string_view(*detail) : std::string_view(); }
   [[nodiscard]] bool is(Kind of) const { return kind == of; }
   /// Returns whether the reason is a limit that a gouge exceeded; such a reason leaves nothing undecided.
   [[nodiscard]] bool names_limit() const { return kind >= Kind::clearance_entered; }
   [[nodiscard]] bool is_same(const Reason& other) const {
     return kind == other.kind && body == other.body && !(amount < other.amount) && !(other.amount < amount) &&
-           detail == other.detail;
+           detail_text() == other.detail_text();
   }
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/boxed.h"
 #include "lib/base/paged_memory.h"
 #include "lib/check/contact_rule.h"
 #include "lib/check/reason.h"
@@ -39,7 +40,7 @@ struct MoveVerdict {
   MoveState state = MoveState::clean;
   double depth_mm = 0;  ///< depth of the witness; depth <= true depth <= depth_upper
   double depth_upper_mm = 0;
-  std::optional<Witness> witness;      ///< present if depth > 0; for a near miss: the closest surface point
+  Boxed<Witness> witness;              ///< present if depth > 0; for a near miss: the closest surface point
   std::optional<double> clearance_mm;  ///< for a near miss: distance at the witness
   std::optional<double> overcut_mm;  ///< gouge of a closed solid: lower bound of the depth that the tool reached below
                                      ///< its surface

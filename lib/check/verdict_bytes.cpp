@@ -56,8 +56,8 @@ void append(const Reason& reason, std::string& bytes) {
   append(reason.kind, bytes);
   append(reason.body, bytes);
   append(reason.amount, bytes);
-  append(static_cast<std::uint64_t>(reason.detail.size()), bytes);
-  bytes += reason.detail;
+  append(static_cast<std::uint64_t>(reason.detail_text().size()), bytes);
+  bytes += reason.detail_text();
 }
 
 bool take(std::string_view& bytes, Reason& reason) {
@@ -65,7 +65,7 @@ bool take(std::string_view& bytes, Reason& reason) {
   if (!take(bytes, reason.kind) || !take(bytes, reason.body) || !take(bytes, reason.amount) || !take(bytes, length) ||
       bytes.size() < length)
     return false;
-  reason.detail = bytes.substr(0, length);
+  if (length > 0) reason.detail = std::string(bytes.substr(0, length));
   bytes.remove_prefix(length);
   return true;
 }

@@ -32,7 +32,7 @@ struct PoseApproach {
 PoseApproach approach_of(const Motion& motion, const CompiledTool& tool, const MoveVerdict& verdict) {
   // A holder is wide, but it is mostly the cutter that moves slowly across the part, so the cutter's curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
-  const std::optional<Witness>& witness = verdict.witness;
+  const Boxed<Witness>& witness = verdict.witness;
   PoseApproach out;
   out.lever_mm = witness ? (witness->point - motion.at(witness->t).tip).norm() : tool.z_max_mm - tool.z_min_mm;
   out.unseen_mm = kUnseenShare * std::max(verdict.depth_mm, Tolerance::kFilePoint_mm);
@@ -194,7 +194,7 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t max_poses)
   PoseList poses;
   for (FieldInstants& one : pick_instants(input, max_poses, wanted)) {
     const Motion stated = input.options.law.of(*input.toolpath, one.move);
-    const std::optional<Witness>& witness = input.result->verdicts[one.move].witness;
+    const Boxed<Witness>& witness = input.result->verdicts[one.move].witness;
     std::ranges::sort(one.t);
     for (const Motion& motion : shown_motions(stated, witness)) {
       const bool is_of_witness = witness && motion.shares_at(witness->t) == witness->turn;

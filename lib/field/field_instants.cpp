@@ -86,7 +86,7 @@ std::vector<FieldInstants> pick_instants(
   return Picker(input, most, wanted).pick();
 }
 
-std::vector<Motion> shown_motions(const Motion& motion, const std::optional<Witness>& witness) {
+std::vector<Motion> shown_motions(const Motion& motion, const Boxed<Witness>& witness) {
   std::vector<Motion> all{motion.alone()};
   if (auto other = motion.other())
     all.push_back(*std::move(other));

@@ -24,7 +24,7 @@ struct FieldInstants {
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);
 
 /// Returns the motions that a field samples for a move: those that its law states, and that of the witness.
-[[nodiscard]] std::vector<Motion> shown_motions(const Motion& motion, const std::optional<Witness>& witness);
+[[nodiscard]] std::vector<Motion> shown_motions(const Motion& motion, const Boxed<Witness>& witness);
 
 /// Returns the length of the tip's path.
 [[nodiscard]] double path_length_mm(const Motion& motion);

@@ -135,7 +135,7 @@ class RecordMaker {
       record.tool_index = index_below(event.tool, path_.tools.size());
       record.body = event.body;
       record.against = event.against;
-      const std::optional<Witness>& witness = result_.verdicts[event.worst_move].witness;
+      const Boxed<Witness>& witness = result_.verdicts[event.worst_move].witness;
       if (witness) record.obstacle = mesh_name(model_, *witness);
       record.acceptance = acceptance(k);
       record.cures = cures(k);
@@ -286,7 +286,7 @@ class RecordMaker {
       record.overcut_upper_mm = finite(verdict.overcut_upper_mm);
     }
     record.clearance_mm = verdict.clearance_mm;
-    if (const std::optional<Witness>& w = verdict.witness) {
+    if (const Boxed<Witness>& w = verdict.witness) {
       record.witness = {w->t, w->point, w->normal, w->body, w->against, mesh_name(model_, *w), w->triangle, {}};
       if (w->turn) record.witness->turn = {(*w->turn)[0], (*w->turn)[1]};
     }

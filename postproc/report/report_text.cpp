@@ -341,7 +341,7 @@ std::string setting_text(const ReportModel& model, const Event& event) {
 }
 
 std::optional<Pose> witness_pose(const ReportModel& model, std::size_t move) {
-  const std::optional<Witness>& witness = model.result->verdicts[move].witness;
+  const Boxed<Witness>& witness = model.result->verdicts[move].witness;
   if (!witness) return std::nullopt;
   const Motion motion = model.options.law.of(*model.toolpath, move).with(witness->turn);
   return motion.is_defined() ? std::optional(motion.at(witness->t)) : std::nullopt;

@@ -31,7 +31,7 @@ MoveVerdict gouge_with_all() {
 
 std::vector<MoveVerdict> verdicts() {
   std::vector<MoveVerdict> all = {
-      {}, gouge_with_all(), not_checked({Reason::Kind::of_path, Body::cutter, 0, "an arc"})};
+      {}, gouge_with_all(), not_checked({Reason::Kind::of_path, Body::cutter, 0, std::string("an arc")})};
   for (const MoveState state : {MoveState::near_miss, MoveState::buried, MoveState::not_certified}) {
     all.emplace_back();
     all.back().state = state;

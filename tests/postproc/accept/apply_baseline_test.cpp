@@ -128,7 +128,7 @@ TEST(ApplyBaseline, AnEntryOfAnotherProgramThatConcernsNothingHereIsSetAside) {
 
 TEST(ApplyBaseline, WhatIsOpenBesidesIsNot) {
   Accepted report;
-  report.result.verdicts[2].reason = {Reason::Kind::of_path, Body::cutter, 0, "the head is not known"};
+  report.result.verdicts[2].reason = {Reason::Kind::of_path, Body::cutter, 0, std::string("the head is not known")};
   EXPECT_EQ(report.apply().accepted_findings(), 0U);
 }
 

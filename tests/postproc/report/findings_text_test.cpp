@@ -175,18 +175,19 @@ TEST(FindingsText, NamesBeneathTheVerdictTheOptionThatSettlesWhatIsNotChecked) {
     verdicts[move].state = MoveState::not_checked;
     verdicts[move].reason = reason;
   };
-  const Reason compensated{Reason::Kind::of_path, Body::cutter, 0,
-                           "compensated by CUTCOM: the positions need not be the cutter centre: CUTCOM at line 5"};
+  const Reason compensated{
+      Reason::Kind::of_path, Body::cutter, 0,
+      std::string("compensated by CUTCOM: the positions need not be the cutter centre: CUTCOM at line 5")};
   leave(0, compensated);
   const std::string claim = " not checked: it states that positions under CUTCOM are the cutter's centre";
   EXPECT_EQ(reservations(report.model),
             std::vector<std::string>{"--cutcom centre settles the reason of the move that is" + claim});
   leave(1, {Reason::Kind::of_path, Body::cutter, 0,
-            "starts at a position compensated by CUTCOM, which need not be the cutter centre"});
+            std::string("starts at a position compensated by CUTCOM, which need not be the cutter centre")});
   leave(2, {Reason::Kind::rapid_skipped});
   EXPECT_EQ(lines_of(summary_text(report.model))[2],
             "note: --cutcom centre settles the reason of all 2 moves that are" + claim);
-  leave(3, {Reason::Kind::of_path, Body::cutter, 0, "a curve that is not understood"});
+  leave(3, {Reason::Kind::of_path, Body::cutter, 0, std::string("a curve that is not understood")});
   EXPECT_EQ(reservations(report.model),
             std::vector<std::string>{"--cutcom centre settles the reason of 2 of the 3 moves that are" + claim});
   for (const std::size_t move : {4U, 5U, 6U}) leave(move, {Reason::Kind::tool_undefined});

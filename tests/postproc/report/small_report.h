@@ -36,10 +36,10 @@ struct SmallReport {
     result.verdicts[4].state = MoveState::buried;
     result.verdicts[5].state = MoveState::not_certified;
     result.verdicts[5].depth_upper_mm = 0.5;
-    result.verdicts[5].reason = {Reason::Kind::of_path, Body::cutter, 0, "budget of 10 bounds spent"};
+    result.verdicts[5].reason = {Reason::Kind::of_path, Body::cutter, 0, std::string("budget of 10 bounds spent")};
     for (const std::size_t i : {6U, 7U}) {
       result.verdicts[i].state = MoveState::not_checked;
-      result.verdicts[i].reason = {Reason::Kind::of_path, Body::cutter, 0, "arcs, as yet, are not read"};
+      result.verdicts[i].reason = {Reason::Kind::of_path, Body::cutter, 0, std::string("arcs, as yet, are not read")};
     }
     result.events = {{MoveState::gouge, 1, 2, 2, 2, 0, Body::cutter, Against::part},
                      {MoveState::near_miss, 3, 3, 3, 1, 0, Body::holder, Against::fixture},
