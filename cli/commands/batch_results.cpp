@@ -21,12 +21,10 @@ namespace fs = std::filesystem;
 std::optional<Diagnostic> find_edited_summary(const std::string& folder, const std::string& summary,
                                               std::string_view bytes) {
   std::error_code ignored;
-  const fs::path file = fs::path(folder) / kManifestName;
-  if (!fs::exists(file, ignored)) return std::nullopt;
-  const Result<std::string> text = read_file(file.string());
-  if (!text) return text.error();
-  const std::optional<ReportManifest> manifest = read_manifest(*text);
-  if (manifest && manifest->has(describe_bytes(kBatchSummaryName, bytes))) return std::nullopt;
+  if (!fs::exists(fs::path(folder) / kManifestName, ignored)) return std::nullopt;
+  const Result<std::optional<ReportManifest>> manifest = manifest_in(folder);
+  if (!manifest) return manifest.error();
+  if (*manifest && (*manifest)->has(describe_bytes(kBatchSummaryName, bytes))) return std::nullopt;
   return make_error("result-edited",
                     std::string("is not the summary that the batch wrote, by its SHA-256 in ") + kManifestName +
                         "; restore it, or run the batch again with --force",
