@@ -26,6 +26,12 @@ std::map<std::string, std::set<std::string>> tools_by_key(const StoredResult& re
   return tools;
 }
 
+std::size_t count_accepted(const StoredResult& result) {
+  return static_cast<std::size_t>(std::ranges::count_if(result.findings, [](const EventRecord& finding) {
+    return finding.acceptance && finding.acceptance->is_accepted;
+  }));
+}
+
 // Returns the differences of the set-ups of two runs, a sentence each. Compared are parts, fixtures, heads, placement,
 // tools with the same key, options, and the version of the program. Empty: their findings are directly comparable.
 std::vector<std::string> setup_differences(const StoredResult& before, const StoredResult& after) {
@@ -56,6 +62,8 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   if (a.limits != b.limits) all.push_back("the limits of single files are others");
   if (a.law != b.law) all.push_back("the machine, or its law of motion, is another one");
   if (a.rapid != b.rapid) all.push_back("rapids are checked as " + b.rapid + ", " + a.rapid + " before");
+  if (const auto accepted = count_accepted(after), old = count_accepted(before); accepted != old)
+    all.push_back(std::to_string(accepted) + " of the findings accepted, " + std::to_string(old) + " before");
   if (const std::size_t moves = after.record.toolpath.moves, old = before.record.toolpath.moves; moves != old)
     all.push_back("the toolpath has " + count_text(moves, "move") + ", " + std::to_string(old) + " before");
   if (before.record.program.version != after.record.program.version)

@@ -51,6 +51,17 @@ TEST_F(Compare, TheSameRunTwiceIsTheSame) {
       << ran.out;
 }
 
+TEST_F(Compare, NotesThatFindingsAreNotAcceptedAnyMore) {
+  const std::string path = path_text(stations(kTwoDeep));
+  shop_.check("a", path);
+  ASSERT_EQ(shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "b", "-o", "accepted.json"}).exit_status,
+            0);
+  ASSERT_EQ(shop_.check("b", path, {"--baseline", "accepted.json"}).exit_status, 0);
+  const Outcome ran = compare("b", "a");
+  EXPECT_EQ(ran.exit_status, 0) << "the gouges are the same";
+  EXPECT_NE(ran.out.find("note: 0 of the findings accepted, 1 before"), std::string::npos) << ran.out;
+}
+
 TEST_F(Compare, WhatCorrectFreedIsGone) {
   shop_.check("a", path_text(stations(kTwoDeep)));
   const Outcome corrected =
