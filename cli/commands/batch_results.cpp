@@ -60,8 +60,8 @@ bool is_certificate(const std::string& file) {
 }
 
 Diagnostic other_certificate(const std::string& file, std::string_view bytes) {
-  if (const auto kind = recognise_file({}, bytes); kind && kind->family == FileFamily::stand_in)
-    return make_error("certificate-invalid", "is " + std::string(kind->name) + "; " + std::string(kind->advice), file);
+  if (const std::string stand_in = describe_stand_in({}, bytes); !stand_in.empty())
+    return make_error("certificate-invalid", stand_in, file);
   return make_error("certificate-invalid",
                     std::string("is not the certificate that the job wrote, by its SHA-256 in ") + kBatchSummaryName +
                         "; restore it, or run the batch again",

@@ -137,6 +137,12 @@ std::optional<FileKind> recognise_file(std::string_view path, std::string_view b
   return is_open && named ? named : kind;
 }
 
+std::string describe_stand_in(std::string_view path, std::string_view bytes) {
+  const std::optional<FileKind> kind = recognise_file(path, bytes);
+  if (!kind || kind->family != FileFamily::stand_in) return {};
+  return "is " + std::string(kind->name) + "; " + std::string(kind->advice);
+}
+
 bool begins_a_line(std::string_view text, std::span<const std::string_view> words) {
   constexpr std::size_t kLinesLookedAt = 50;
   for (std::size_t lines = 0; !text.empty() && lines < kLinesLookedAt; ++lines) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 // Kinds of files that users give in place of a part, a toolpath or a tool library. Readers name them in their errors.
@@ -36,6 +37,9 @@ struct FileKind {
 /// nothing for STL, toolpaths, tool libraries of this project, and kinds that are not known. Examines at most the first
 /// 100 bytes.
 [[nodiscard]] std::optional<FileKind> recognise_file(std::string_view path, std::string_view bytes);
+
+/// Describes a file of the family stand_in for an error: "is NAME; ADVICE". Empty for any other file.
+[[nodiscard]] std::string describe_stand_in(std::string_view path, std::string_view bytes);
 
 /// Returns whether one of the words begins one of the first 50 lines, behind blanks.
 [[nodiscard]] bool begins_a_line(std::string_view text, std::span<const std::string_view> words);

@@ -110,14 +110,12 @@ std::string other_kind(std::string_view bytes) {
   return kind && kind->family != FileFamily::stand_in ? std::string(kind->name) : std::string();
 }
 
-/// Returns what a file is that holds nothing of the JSON whose name it has, with the remedy, such as a compressed file;
-/// empty: it is none, or its mistake is a usual one.
-std::string stand_in(std::string_view bytes) {
+/// Describes a file that holds nothing of the JSON whose name it has, such as a compressed file. Empty: it is none, or its
+/// mistake is a usual one.
+std::string stand_in_for_json(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || bytes[first] == '{' || bytes[first] == '[') return {};
-  const std::optional<FileKind> kind = recognise_file({}, bytes);
-  if (!kind || kind->family != FileFamily::stand_in || !usual_mistake(bytes, 0).empty()) return {};
-  return std::string(kind->name) + "; " + std::string(kind->advice);
+  const bool begins_as_json = first == std::string_view::npos || bytes[first] == '{' || bytes[first] == '[';
+  return begins_as_json || !usual_mistake(bytes, 0).empty() ? std::string() : describe_stand_in({}, bytes);
 }
 
 }  // namespace
@@ -126,7 +124,7 @@ Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, con
   const std::string& syntax = kind.syntax_code;
   if (bytes.empty()) return make_error(syntax, "the file is empty (0 bytes); expected " + kind.what + " (JSON)", file);
   bytes = without_byte_order_mark(bytes);
-  if (const std::string other = stand_in(bytes); !other.empty()) return make_error(syntax, "is " + other, file);
+  if (const std::string other = stand_in_for_json(bytes); !other.empty()) return make_error(syntax, other, file);
   if (const auto excess = LimitScan(file, bytes, kind.what).find_excess()) return *excess;
   try {
     JsonFile parsed{nlohmann::json::parse(bytes), find_json_lines(bytes)};

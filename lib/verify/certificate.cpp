@@ -37,8 +37,7 @@ std::string what_is_wrong_with(std::string_view bytes, const StockClaims* stock)
     return "it has no proofs about stock; expected the certificate that was written with this result";
   if (magic == kStockCertificateMagic && stock == nullptr)
     return "it has proofs about stock, and the result has no stock; expected the certificate of this result";
-  if (const auto kind = recognise_file({}, bytes); kind && kind->family == FileFamily::stand_in)
-    return "is " + std::string(kind->name) + "; " + std::string(kind->advice);
+  if (const std::string stand_in = describe_stand_in({}, bytes); !stand_in.empty()) return stand_in;
   return "it is no certificate of this version; expected a file of 'gougecheck check --certificate'";
 }
 

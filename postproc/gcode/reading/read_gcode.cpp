@@ -59,8 +59,8 @@ std::optional<Diagnostic> find_wrong_byte(const std::string& file, std::string_v
 
 std::optional<Diagnostic> find_unreadable_program(const std::string& file, std::string_view bytes) {
   if (bytes.empty()) return make_error("path-empty", "the file is empty; expected a program", file);
-  if (const auto kind = recognise_file(file, bytes); kind && kind->family == FileFamily::stand_in)
-    return make_error("path-not-cl-data", "is " + std::string(kind->name) + "; " + std::string(kind->advice), file);
+  if (const std::string stand_in = describe_stand_in(file, bytes); !stand_in.empty())
+    return make_error("path-not-cl-data", stand_in, file);
   if (bytes.size() > kLongestProgram)
     return make_error("path-too-long",
                       "the file has " + std::to_string(bytes.size()) + " bytes; expected fewer than 4 GiB", file);
