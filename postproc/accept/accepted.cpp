@@ -79,9 +79,8 @@ void write_whole_numbers(AnyJson& json) {
 }
 
 // Returns the seal of an entry: the hash of its text without the seal. Keys are in alphabetical order, so white space,
-// the order of keys and the notation of numbers have no effect.
-std::string seal_of(nlohmann::json entry) {
-  write_whole_numbers(entry);
+// the order of keys and, after write_whole_numbers, the notation of numbers have no effect.
+std::string seal_of(const nlohmann::json& entry) {
   return "sha256:" + sha256_of(entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
@@ -190,6 +189,7 @@ Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::stri
     if (errors.first) return *errors.first;
     nlohmann::json entry = root.at("accepted").at(k);
     entry.erase("seal");
+    write_whole_numbers(entry);
     const std::size_t line = json->lines.at("/accepted/" + std::to_string(k));
     if (seal_of(entry) != seal) return edited(file, line, "this entry was changed after it was written");
     if (!seals.insert(seal).second) return edited(file, line, "this entry is there twice");
