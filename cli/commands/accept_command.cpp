@@ -1,9 +1,5 @@
 #include "cli/commands/accept_command.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -17,13 +13,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands/acceptance_file.h"
 #include "cli/commands/batch_results.h"
 #include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/exit_code.h"
-#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/accept/accepted.h"
@@ -32,24 +28,6 @@ namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A lock of a folder. If two processes accept at once, it keeps one from losing the entries of the other.
-class FolderLock {
- public:
-  explicit FolderLock(const std::string& file) {
-    const fs::path folder = fs::path(file).parent_path();
-    handle_ = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (handle_ >= 0) ::flock(handle_, LOCK_EX);
-  }
-  ~FolderLock() {
-    if (handle_ >= 0) ::close(handle_);
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int handle_ = -1;
-};
 
 std::string date_of(std::time_t seconds) {
   std::tm parts{};
@@ -81,8 +59,23 @@ bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n"
 
 bool is_accepting(const AcceptArguments& a) { return a.is_all || !a.findings.empty(); }
 
+bool is_one_line(const std::string& text) {
+  return std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < ' '; });
+}
+
+/// Finds what cannot be combined with --withdraw.
+std::optional<Diagnostic> find_wrong_word_beside_withdraw(const AcceptArguments& a) {
+  if (a.results.size() == 1 && !is_accepting(a) && a.reason.empty() && a.by.empty() && a.date.empty() &&
+      a.output.empty())
+    return std::nullopt;
+  return make_error("usage",
+                    "--withdraw removes entries from one file of accepted findings; expected that file and no "
+                    "--finding, --all, --reason, --by, --date or -o");
+}
+
 /// Finds an option other than the result that is missing or wrong.
 std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
+  if (!a.withdrawn.empty()) return find_wrong_word_beside_withdraw(a);
   if (a.is_all && !a.findings.empty())
     return make_error("usage", "accept takes --all or --finding, and not both: --all accepts every finding");
   if (!is_accepting(a)) {
@@ -96,7 +89,7 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
   if (const auto twice = std::ranges::adjacent_find(findings); twice != findings.end())
     return make_error("usage", "--finding names finding " + twice->text() + " twice; expected each once");
   for (const auto& [option, typed] : {std::pair("--reason", &a.reason), std::pair("--by", &a.by)})
-    if (!is_utf8(*typed)) return usage_error(option, *typed, "text in UTF-8");
+    if (!is_utf8(*typed) || !is_one_line(*typed)) return usage_error(option, *typed, "one line of text in UTF-8");
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
   if (is_blank(a.by)) return make_error("usage", "accept needs --by, who accepts it");
   if (a.output.empty())
@@ -129,25 +122,13 @@ void list(const std::string& job, const StoredResult& result, std::ostream& out)
   out << count_text(findings.size(), "finding") << " in " << printable(result.file) << "\n";
 }
 
-/// Returns the existing entries of the file; none if there is no file.
-Result<std::vector<Acceptance>> read_existing(const std::string& file, const InputLimit& limit) {
-  std::error_code ignored;
-  // A link to a file that does not exist yet is none either: the file is written there.
-  if (!fs::exists(file, ignored) && !ignored) return std::vector<Acceptance>();
-  if (fs::is_fifo(fs::status(file, ignored)))
-    return make_error("accepted-format", "is a pipe; expected a file that accepted findings can be added to", file);
-  const Result<std::string> bytes = read_file(file, limit.max_bytes);
-  if (!bytes) return bytes.error();
-  if (bytes->empty()) return std::vector<Acceptance>();
-  return read_accepted(file, *bytes);
-}
-
 }  // namespace
 
 void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
   command
       .add_option("RESULT", arguments.results,
-                  "Results with the findings (the output of --json, the folder of a report, or the folder of a batch)")
+                  "Results with the findings (the output of --json, the folder of a report, or the folder of a batch); "
+                  "or one file of accepted findings, to list its entries")
       ->type_name("FILE")
       ->required();
   command
@@ -176,6 +157,24 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       ->type_name("DAY");
   command.add_option("-o,--output", arguments.output, "File of accepted findings; existing entries stay")
       ->type_name("FILE");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--withdraw",
+          [&arguments](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              const std::vector<ChosenFinding> entries = *parse_findings(text);
+              for (const ChosenFinding& entry : entries) arguments.withdrawn.push_back(entry.number);
+            }
+          },
+          "Numbers of the entries to remove from the file of accepted findings RESULT: 3, 3,4 or 3-6 (repeatable)")
+      ->check([](const std::string& text) {
+        const auto entries = parse_findings(text);
+        return entries && entries->front().job.empty() ? std::string()
+                                                       : "expected the number of an entry, or a range such as 3-6";
+      })
+      ->delimiter(',')
+      ->type_name("N")
+      ->allow_extra_args(false);
   add_input_limit(command, arguments.input);
   command.footer(
       "Examples:\n"
@@ -186,7 +185,9 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       "      --reason \"stock allowance\" --by \"R. Miller\" -o accepted.json\n"
       "  gougecheck accept night --all --reason \"prototype\" \\\n"
       "      --by \"R. Miller\" -o accepted.json\n"
-      "  gougecheck check part.apt --part part.stl --baseline accepted.json\n\n"
+      "  gougecheck check part.apt --part part.stl --baseline accepted.json\n"
+      "  gougecheck accept accepted.json\n"
+      "  gougecheck accept accepted.json --withdraw 2\n\n"
       "An acceptance holds for these motions up to this depth, with this tool, part, place, tolerance and "
       "clearances. If one of them changes, the acceptance is no longer valid. A buried tool cannot be accepted, "
       "nor can a move that was not checked or not certified.");
@@ -294,7 +295,7 @@ Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments,
 int accept(const AcceptArguments& arguments, const std::vector<ListedJob>& named,
            const std::vector<StoredResult>& results, std::ostream& out, std::ostream& err) {
   const FolderLock lock(arguments.output);
-  Result<std::vector<Acceptance>> existing = read_existing(arguments.output, arguments.input);
+  Result<std::vector<Acceptance>> existing = read_acceptances(arguments.output, arguments.input);
   if (!existing) return fail(err, {existing.error()});
   Acceptor acceptor(arguments, std::move(*existing));
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -311,10 +312,34 @@ int accept(const AcceptArguments& arguments, const std::vector<ListedJob>& named
   return acceptor.refused().empty() ? kExitClean : fail(err, acceptor.refused());
 }
 
+/// Returns the entries if the only RESULT is a file of accepted findings, and `reason` otherwise.
+Result<std::vector<Acceptance>> entries_in_place_of_results(const AcceptArguments& arguments,
+                                                            const Diagnostic& reason) {
+  if (reason.code != "result-format" || arguments.results.size() != 1 || is_accepting(arguments)) return reason;
+  Result<std::vector<Acceptance>> entries = read_acceptances(arguments.results.front(), arguments.input);
+  return entries || entries.error().code != "accepted-format" ? entries : reason;
+}
+
+/// Lists the findings of results, or the entries of a file of accepted findings.
+int list_all(const AcceptArguments& arguments, const std::vector<ListedJob>& named, std::ostream& out,
+             std::ostream& err) {
+  const Result<std::vector<StoredResult>> results = read_results(arguments, named);
+  if (!results) {
+    const auto entries = entries_in_place_of_results(arguments, results.error());
+    if (!entries) return fail(err, {entries.error()});
+    list_acceptances(arguments.results.front(), *entries, out);
+    return kExitClean;
+  }
+  for (std::size_t k = 0; k < results->size(); ++k) list(named[k].name, (*results)[k], out);
+  return kExitClean;
+}
+
 }  // namespace
 
 int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream& err) {
   if (const auto wrong = find_wrong_word(arguments)) return fail(err, {*wrong});
+  if (!arguments.withdrawn.empty())
+    return withdraw_acceptances(arguments.results.front(), arguments.withdrawn, arguments.input, out, err);
   const OutputTable outputs = asked_for({{"-o", arguments.output}});
   std::vector<InputOption> inputs;
   const Result<std::vector<ListedJob>> named = named_results(arguments);
@@ -322,11 +347,10 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   if (const auto wrong = find_wrong_choice(arguments.findings, *named)) return fail(err, {*wrong});
   for (const ListedJob& one : *named) inputs.push_back({"the result", one.result_file});
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
+  if (!is_accepting(arguments)) return list_all(arguments, *named, out, err);
   const Result<std::vector<StoredResult>> results = read_results(arguments, *named);
   if (!results) return fail(err, {results.error()});
-  if (is_accepting(arguments)) return accept(arguments, *named, *results, out, err);
-  for (std::size_t k = 0; k < results->size(); ++k) list((*named)[k].name, (*results)[k], out);
-  return kExitClean;
+  return accept(arguments, *named, *results, out, err);
 }
 
 }  // namespace gouge

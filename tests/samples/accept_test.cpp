@@ -214,6 +214,13 @@ TEST_F(Accept, TheFileLosesNothingAndTakesNothingTwice) {
             2);
 }
 
+TEST_F(Accept, NamesAndReasonsAreOneLine) {
+  ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
+  const Outcome ran = shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "R.\nMiller", "-o", "f.json"});
+  EXPECT_EQ(ran.exit_status, 2);
+  EXPECT_NE(ran.err.find("expected one line of text in UTF-8"), std::string::npos) << ran.err;
+}
+
 TEST_F(Accept, AddsToNoPipe) {
   ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
   ASSERT_EQ(shop_.run_script("mkfifo accepted.json").exit_status, 0);
@@ -439,7 +446,7 @@ TEST_F(Accept, TextThatIsNotUtf8IsRefused) {
   const Outcome ran =
       shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "M\xfcller", "-o", "accepted.json"});
   EXPECT_EQ(ran.exit_status, 2);
-  EXPECT_NE(ran.err.find("--by 'M\\xfcller': expected text in UTF-8"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("--by 'M\\xfcller': expected one line of text in UTF-8"), std::string::npos) << ran.err;
 }
 
 TEST_F(Accept, StandardOutputIsNoFileToAddTo) {

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/samples/small_shop.h"
+
+// `gougecheck accept FILE` for a file of accepted findings: its entries are listed and withdrawn.
+
+namespace gouge::testing_samples::acceptance_file_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class AcceptanceFile : public testing::Test {
+ protected:
+  Outcome accept(const std::string& findings) {
+    return shop_.run({"accept", "a.json", "--finding", findings, "--reason", "stock allowance", "--by", "R. Miller",
+                      "--date", "2026-11-23", "-o", "accepted.json"});
+  }
+
+  SmallShop shop_;
+};
+
+TEST_F(AcceptanceFile, EntriesAreListedAndWithdrawn) {
+  ASSERT_EQ(shop_.check("a", path_text(stations({{30, -0.2}, {70, -0.1}}))).exit_status, 1);
+  ASSERT_EQ(accept("1-2").exit_status, 0);
+  const nlohmann::json before = shop_.json("accepted.json");
+  const Outcome listed = shop_.run({"accept", "accepted.json"});
+  EXPECT_EQ(listed.exit_status, 0) << listed.err;
+  EXPECT_NE(listed.out.find("1  path.apt:"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("; accepted by R. Miller on 2026-11-23: stock allowance\n2  path.apt:"), std::string::npos)
+      << listed.out;
+  EXPECT_NE(listed.out.find("\naccepted.json has 2 accepted findings\n"), std::string::npos) << listed.out;
+  const Outcome ran = shop_.run({"accept", "accepted.json", "--withdraw", "1"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_TRUE(ran.out.starts_with("withdrawn: path.apt:")) << ran.out;
+  EXPECT_TRUE(ran.out.ends_with("\naccepted.json has 1 accepted finding\n")) << ran.out;
+  EXPECT_EQ(shop_.json("accepted.json").at("accepted"), nlohmann::json::array({before.at("accepted").at(1)}));
+  EXPECT_EQ(
+      shop_.check("b", path_text(stations({{30, -0.2}, {70, -0.1}})), {"--baseline", "accepted.json"}).exit_status, 1)
+      << "one gouge is not accepted any more";
+}
+
+TEST_F(AcceptanceFile, WithdrawsOnlyEntriesThatAreThere) {
+  ASSERT_EQ(shop_.check("a", path_text(stations({{40, -0.2}, {50, -0.2}}))).exit_status, 1);
+  ASSERT_EQ(accept("1").exit_status, 0);
+  const std::string before = shop_.read("accepted.json");
+  const auto refused = [&](const Words& words, int status, const std::string& why) {
+    const Outcome ran = shop_.run(words);
+    EXPECT_EQ(ran.exit_status, status) << ran.err;
+    EXPECT_NE(ran.err.find(why), std::string::npos) << ran.err;
+    EXPECT_EQ(shop_.read("accepted.json"), before);
+  };
+  refused({"accept", "accepted.json", "--withdraw", "2"}, 2, "which has 1 accepted finding;");
+  refused({"accept", "accepted.json", "--withdraw", "0"}, 2, "--withdraw '0'");
+  refused({"accept", "accepted.json", "--withdraw", "1,1"}, 2, "names entry 1 twice");
+  refused({"accept", "accepted.json", "--withdraw", "op:1"}, 2, "expected the number of an entry");
+  refused({"accept", "accepted.json", "--withdraw", "1", "--all"}, 2, "expected that file and no --finding");
+  refused({"accept", "a.json", "--withdraw", "1"}, 3, "[accepted-format]");
+  refused({"accept", "none.json", "--withdraw", "1"}, 3, "none.json");
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples::acceptance_file_test
