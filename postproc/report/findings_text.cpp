@@ -87,6 +87,15 @@ std::string without_gouge(const CheckResult& result) {
   return " gouge in the " + count_text(checked, "move") + " checked; " + left_out_text(rapids);
 }
 
+// Returns the number of places where a correction cuts less than was programmed.
+std::string places_left_uncut(const CorrectionFacts& correction) {
+  const UncutTotal total = uncut_total(correction);
+  std::string text;
+  if (total.stretches > 0) text = count_text(total.stretches, "stretch", "stretches");
+  if (total.holes > 0) text += (text.empty() ? "" : " and ") + count_text(total.holes, "hole");
+  return text.empty() ? text : "; " + text + " left uncut";
+}
+
 // Returns the first line. `accepting` is the model whose baseline applies; null: none.
 std::string headline(const Checked& checked, const CheckOptions& limits, const std::string& overcut,
                      const ReportModel* accepting) {
@@ -305,8 +314,9 @@ class FindingsWriter {
 
 Headlines headlines(const ReportModel& model) {
   Headlines lines;
-  lines.now = headline({*model.toolpath, *model.result}, model.options, overcut_words(model), &model);
   const CorrectionFacts& correction = model.correction;
+  lines.now = headline({*model.toolpath, *model.result}, model.options, overcut_words(model), &model) +
+              places_left_uncut(correction);
   if (model.has_correction && correction.result_before != nullptr && correction.toolpath_before != nullptr)
     lines.before = headline({*correction.toolpath_before, *correction.result_before}, model.options, {}, nullptr);
   return lines;

@@ -208,6 +208,7 @@ TEST(SummaryText, SaysWhatIsLeftUncutAndCountsItNotAsMoved) {
                       "left uncut in 1 stretch"),
             std::string::npos)
       << summary_text(report.model);
+  EXPECT_TRUE(headlines(report.model).now.ends_with("; 1 stretch left uncut")) << headlines(report.model).now;
   report.model.correction.changes[0].strategy = "trim";
   EXPECT_NE(summary_text(report.model).find("0 positions moved, 1 inserted"), std::string::npos);
 }
@@ -219,6 +220,7 @@ TEST(SummaryText, SaysBesideTheVerdictWhatIsNotCutAnyMore) {
   correction.uncut = {{3, 3, 13, 13, 0, 0.25, Uncut::Kind::hole}, {4, 4, 14, 14, 0, 0.5, Uncut::Kind::hole}};
   correction.rapid_clearance_mm = 2;
   correction.low_rapids = {{1, 11, 0.5}, {2, 12, -0.0054}};
+  EXPECT_TRUE(headlines(report.model).now.ends_with("; 2 holes left uncut")) << headlines(report.model).now;
   const std::string text = summary_text(report.model);
   for (const char* note : {"note: 2 holes left uncut by up to 0.500 mm\n",
                            "note: cuts were moved by up to 0.300 mm: less is cut there than was programmed\n",
