@@ -67,12 +67,21 @@ std::optional<Diagnostic> find_unreadable_program(const std::string& file, std::
   return std::nullopt;
 }
 
-Result<const ProgramLanguage*> language_of(const GcodeOptions& options, const std::string& file) {
+/// Returns the choice of a control for a program. It names the control whose words the program has, if only that control
+/// reads them.
+std::string expected_control(std::string_view bytes) {
+  if (is_heidenhain_program(bytes)) return "--control heidenhain, because the program begins with BEGIN PGM";
+  if (is_siemens_program(bytes)) return "--control siemens, because the program has words of Siemens 840D";
+  return "--control " + language_names();
+}
+
+Result<const ProgramLanguage*> language_of(const GcodeOptions& options, const std::string& file,
+                                           std::string_view bytes) {
   const std::string& id = options.setup.control;
   if (id.empty())
     return make_error("gcode-control",
-                      "the file is a program of a machine's control, and nothing states which; expected --control " +
-                          language_names() + ", or \"program\" in the control of the machine file",
+                      "the file is a program of a machine's control, and nothing states which; expected " +
+                          expected_control(bytes) + ", or \"program\" in the control of the machine file",
                       file);
   for (const ProgramLanguage& language : all_languages())
     if (language.id == id) return &language;
@@ -169,7 +178,7 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
                        const ProgressCall& progress) {
   ReadOutcome outcome;
   if (auto error = find_unreadable_program(file_name, bytes)) return {std::nullopt, {std::move(*error)}};
-  const Result<const ProgramLanguage*> language = language_of(options, file_name);
+  const Result<const ProgramLanguage*> language = language_of(options, file_name, bytes);
   if (!language) return {std::nullopt, {language.error()}};
   if ((*language)->id != kHeidenhain && is_heidenhain_program(bytes))
     return {std::nullopt,
