@@ -10,6 +10,7 @@
 #include "cli/batch/batch_notes.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/batch_watch.h"
+#include "cli/batch/jobs_in_the_way.h"
 #include "cli/batch/settled_files.h"
 #include "cli/batch/toolpath_files.h"
 #include "cli/output/report_folder.h"
@@ -38,7 +39,10 @@ StopOn stop_on(const BatchArguments& arguments) {
 class Batch {
  public:
   Batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err)
-      : arguments_(arguments), out_(out), err_(err), place_{arguments.folder, !arguments.is_without_reports} {}
+      : arguments_(arguments),
+        out_(out),
+        err_(err),
+        place_{arguments.folder, !arguments.is_without_reports, arguments.has_certificates} {}
 
   int run() {
     Result<std::unique_ptr<Ranks>> ranks = make_ranks();
@@ -188,14 +192,14 @@ class Batch {
         arguments_.folder);
   }
 
-  // Finds a corrected toolpath that a job would replace, but that no batch wrote. For a report, the command of the job
+  // Finds a corrected toolpath or certificate that a job would replace, but that no batch wrote. For a report, the command of the job
   // tests this.
   [[nodiscard]] std::optional<Diagnostic> find_foreign() const {
     if (arguments_.is_forced) return std::nullopt;
     std::vector<std::string> files;
     for (const std::size_t number : identity_.numbers) {
-      const std::string name = BatchFolder::corrected_name(jobs_[number]);
-      if (jobs_[number].output() == arguments_.folder + "/" + name) files.push_back(name);
+      const std::vector<std::string> own = place_.own_outputs(jobs_[number]);
+      files.insert(files.end(), own.begin(), own.end());
     }
     return find_foreign_output(files, arguments_.folder, *store_);
   }
@@ -266,18 +270,20 @@ class Batch {
         continue;
       }
       numbers.push_back(number);
-      if (known != stored.end()) remove_corrected(*known->second);
+      if (known != stored.end()) remove_own_outputs(*known->second);
     }
     if (is_stopped_) numbers.clear();
     return numbers;
   }
 
-  // Removes the corrected path that a job wrote in an earlier run. Otherwise it would stay if the job fails now.
-  void remove_corrected(const StoredJob& job) const {
+  // Removes the corrected path and the certificate that a job wrote in an earlier run. Otherwise they would stay if the job
+  // fails now.
+  void remove_own_outputs(const StoredJob& job) const {
     std::error_code ignored;
     for (const JobOutput& output : job.outputs) {
-      if (output.file.starts_with(std::string(kCorrectedFolder) + "/") && is_below(output.file) &&
-          are_as_written({output}, arguments_.folder))
+      const bool is_own = output.file.starts_with(std::string(kCorrectedFolder) + "/") ||
+                          output.file.starts_with(std::string(kCertificatesFolder) + "/");
+      if (is_own && is_below(output.file) && are_as_written({output}, arguments_.folder))
         fs::remove(arguments_.folder + "/" + output.file, ignored);
     }
   }

@@ -134,7 +134,8 @@ std::string FileHashes::of(const std::string& file) {
 }
 
 std::string job_text(const BatchJob& job, const std::string& program) {
-  std::string text = program + '\n' + job.name + '\n' + job.command() + (job.has_report ? " with report" : "") + '\n';
+  std::string text = program + '\n' + job.name + '\n' + job.command() + (job.has_report ? " with report" : "") +
+                     (job.has_own_certificate ? " with certificate" : "") + '\n';
   for (const std::string& word : job.words) text += word + '\0';
   return text;
 }
@@ -185,8 +186,8 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
   const JobContext context{out, err, scenes.source(job.job()),
                            [&](const ReportModel& model) { take_report(model, result); }, checkpoints_of};
   std::error_code ignored;
-  if (const fs::path output(job.output()); output.has_parent_path())
-    fs::create_directories(output.parent_path(), ignored);
+  for (const fs::path output : {job.output(), job.has_own_certificate ? job.job().certificate_file : std::string()})
+    if (output.has_parent_path()) fs::create_directories(output.parent_path(), ignored);
   result.status = run_command(job, context);
   result.messages = err.str();
   const std::string page = std::string(kReportsFolder) + "/" + job.name + "/report.html";

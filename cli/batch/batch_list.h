@@ -19,7 +19,8 @@ struct BatchJob {
   std::size_t line = 0;            ///< line in the job list; 0: the job is on the command line
   std::vector<std::string> words;  ///< its options as a command line, without outputs below the folder of the batch
   bool has_report = true;
-  bool leaves_baseline = false;  ///< it corrects, so the baseline in the defaults of its list does not hold for it
+  bool has_own_certificate = false;  ///< it writes its certificate into the folder of the batch
+  bool leaves_baseline = false;      ///< it corrects, so the baseline in the defaults of its list does not hold for it
   std::variant<CheckArguments, CorrectArguments> arguments;
 
   [[nodiscard]] const char* command() const { return arguments.index() == 0 ? "check" : "correct"; }
@@ -32,11 +33,16 @@ struct BatchJob {
 /// Folder for the output of a batch's jobs.
 struct BatchFolder {
   std::string path;
-  bool has_reports = true;  ///< false: no job has a report, even if it requests one
+  bool has_reports = true;        ///< false: no job has a report, even if it requests one
+  bool has_certificates = false;  ///< true: every check without a certificate of its own writes one into the folder
 
   [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/" + kReportsFolder + "/" + job; }
   /// Returns the name of a job's corrected toolpath, relative to `path`.
   [[nodiscard]] static std::string corrected_name(const BatchJob& job);
+  /// Returns the name of a job's certificate, relative to `path`.
+  [[nodiscard]] static std::string certificate_name(const BatchJob& job);
+  /// Returns the names, relative to `path`, of the files other than its report that a job writes into the folder.
+  [[nodiscard]] std::vector<std::string> own_outputs(const BatchJob& job) const;
 };
 
 /// Reads a job list (docs/formats/batch.md). Relative files in it are below its folder. Errors: the first error in it,
@@ -47,11 +53,5 @@ struct BatchFolder {
 /// toolpaths, and folders of toolpaths. Errors: usage.
 [[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& places,
                                                       const std::vector<std::string>& words, const BatchFolder& folder);
-
-/// Returns why these jobs cannot run together. An output of one job is an input or an output of another, or the job
-/// list `list` (empty: there is none). Or it lies in the folder of the batch, but not at the place for this job. Or two
-/// jobs read one pipe. Code: usage.
-[[nodiscard]] std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs,
-                                                             const BatchFolder& folder, const std::string& list);
 
 }  // namespace gouge

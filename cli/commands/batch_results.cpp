@@ -43,10 +43,12 @@ ListedJob job_of(const nlohmann::json& object, const std::string& folder) {
     job.result_file = fs::path(page).replace_filename(kResultName).string();
   }
   for (const auto& output : object.at("outputs")) {
-    const fs::path file = fs::path(folder) / output.at("file").get<std::string>();
+    const std::string name = output.at("file");
+    const std::string file = (fs::path(folder) / name).string();
     const std::string sha256 = output.at("sha256");
-    if (file.string() == job.result_file) job.result_sha256 = sha256;
-    if (output.at("file").get<std::string>().starts_with('/')) job.others.push_back({file.string(), sha256});
+    if (file == job.result_file) job.result_sha256 = sha256;
+    if (name.starts_with('/') || fs::path(name).parent_path() == kCertificatesFolder)
+      job.others.push_back({file, sha256});
   }
   return job;
 }

@@ -25,7 +25,7 @@ struct ListedJob {
   std::string command = {};
   std::optional<int> status = {};        ///< none: the job has not run
   std::string result_sha256 = {};        ///< of the result that the job wrote; empty: not stated
-  std::vector<WrittenFile> others = {};  ///< files beside the folder of the batch
+  std::vector<WrittenFile> others = {};  ///< files outside its report that may be certificates
   std::vector<std::string> messages = {};
 };
 

@@ -228,9 +228,11 @@ class BatchVerifier {
 
 int run_verify_batch(const VerifyArguments& arguments, double seconds, std::ostream& out, std::ostream& err) {
   if (!arguments.certificate_file.empty())
-    return fail(err, {make_error("usage",
-                                 "--certificate belongs to one result; for the folder of a batch, verify reads the "
-                                 "certificates that its jobs wrote (the key \"certificate\" of a job)")});
+    return fail(
+        err,
+        {make_error("usage",
+                    "--certificate belongs to one result; for the folder of a batch, verify reads the "
+                    "certificates that its jobs wrote (batch --certificates, or the key \"certificate\" of a job)")});
   const Result<std::vector<ListedJob>> jobs = read_batch_jobs(arguments.result_file, arguments.input);
   if (!jobs) return fail(err, {jobs.error()});
   return BatchVerifier(arguments, seconds, out, err).run(*jobs);

@@ -30,7 +30,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   command
       .add_option("-o,--output", a.folder,
                   "Folder for the results: index.html, summary.csv, summary.json, junit.xml, findings.sarif, "
-                  "results.sqlite, reports/, corrected/")
+                  "results.sqlite, reports/, corrected/, certificates/")
       ->type_name("FOLDER")
       ->required();
   command.add_option("--jobs", a.jobs, "Maximum number of jobs that run at once (0: as many as threads)")
@@ -40,6 +40,10 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   command.add_flag("--dry-run", a.is_rehearsal, "List the jobs and their options, and write nothing");
   command.add_flag("--no-reports", a.is_without_reports,
                    "Write only the summary of all jobs, without the reports of the jobs");
+  command.add_flag(
+      "--certificates", a.has_certificates,
+      "Let each check write its certificate to certificates/, with which 'gougecheck verify FOLDER' proves its "
+      "clean moves; the proofs take longer than the checks");
   command
       .add_option("--stop-on", a.stop_on,
                   "Start no more jobs after a job that failed (error), or also after a job with gouges (gouge)")
@@ -91,9 +95,9 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
 }
 
 void take_words(const CLI::App& command, BatchArguments& arguments) {
-  constexpr std::string_view kOwn[] = {"output",   "jobs",  "resume",  "fresh", "dry-run", "no-reports", "stop-on",
-                                       "memory",   "chunk", "shard",   "watch", "scratch", "force",      "threads",
-                                       "progress", "quiet", "verbose", "color", "help"};
+  constexpr std::string_view kOwn[] = {
+      "output", "jobs",  "resume",  "fresh", "dry-run", "no-reports", "certificates", "stop-on", "memory", "chunk",
+      "shard",  "watch", "scratch", "force", "threads", "progress",   "quiet",        "verbose", "color",  "help"};
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;
     const std::string& name = option->get_lnames().front();

@@ -27,6 +27,7 @@ struct BatchArguments : Verbosity {
   double memory_gb = 0;
   std::size_t chunk = 65536;  ///< moves
   bool is_resumed = false, is_fresh = false, is_rehearsal = false, is_without_reports = false, is_forced = false;
+  bool has_certificates = false;
 };
 
 /// Parses "2/8". Errors (code usage).

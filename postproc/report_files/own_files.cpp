@@ -62,7 +62,8 @@ std::string batch_of_report(const std::string& folder) { return batch_above(fold
 
 std::string why_kept(const std::string& file, bool is_of_batch) {
   std::string folder = folder_with_own_file(file);
-  if (folder.empty() && !is_of_batch) folder = batch_above(file, kCorrectedFolder);
+  for (const char* const own : {kCorrectedFolder, kCertificatesFolder})
+    if (folder.empty() && !is_of_batch) folder = batch_above(file, own);
   if (folder.empty()) return {};
   return "is a file of the report or the batch in " + folder + ", where nothing else writes; name another file";
 }

@@ -15,6 +15,8 @@ inline constexpr const char* kBatchStoreName = "results.sqlite";
 inline constexpr const char* kReportsFolder = "reports";
 /// Folder of the corrected toolpaths there.
 inline constexpr const char* kCorrectedFolder = "corrected";
+/// Folder of the certificates there.
+inline constexpr const char* kCertificatesFolder = "certificates";
 inline constexpr const char* kResultName = "result.json";
 
 /// Returns every name that a report may write into its folder: report.html, result.json, moves.csv, the pictures, and
@@ -35,7 +37,7 @@ inline constexpr const char* kResultName = "result.json";
 
 /// Returns why no other output may have this name: it is, or would be, a file of a report or of a batch. Such a folder is
 /// locked if a run finds a file in it that it did not write. `is_of_batch`: the output belongs to a job of the batch,
-/// which writes its corrected toolpaths. Empty: any output may have it.
+/// which writes its corrected toolpaths and certificates. Empty: any output may have it.
 [[nodiscard]] std::string why_kept(const std::string& file, bool is_of_batch = false);
 
 }  // namespace gouge

@@ -72,6 +72,31 @@ TEST_F(VerifyBatch, VerifiesEachJobWithTheCertificateThatItWrote) {
   expect_lines(verify(), {"night\n1 job: 1 verified\n", "result: verified\n"});
 }
 
+TEST_F(VerifyBatch, EveryCheckOfABatchMayWriteItsCertificate) {
+  batch(R"({"defaults": {"part": "part.stl"}, "jobs": [
+    {"name": "deep", "path": "deep.apt", "certificate": "own.gcp"}, {"name": "flat", "path": "flat.apt"},
+    {"name": "better", "path": "deep.apt", "command": "correct"}]})",
+        {"--certificates"});
+  EXPECT_EQ(shop_.run_script("ls night/certificates own.gcp").out, "own.gcp\n\nnight/certificates:\nflat.gcp\n");
+  expect_lines(verify(),
+               {"job deep: verified: every bound is proved\n", "job flat: verified: every bound is proved\n"});
+  const Outcome other = shop_.run({"check", "flat.apt", "--part", "part.stl", "--csv", "night/certificates/flat.gcp"});
+  EXPECT_EQ(other.exit_status, 2);
+  EXPECT_NE(other.err.find("is a file of the report or the batch in "), std::string::npos) << other.err;
+}
+
+TEST_F(VerifyBatch, CertificatesAreMadeForAFinishedBatchToo) {
+  const std::vector<std::string> words = {"batch", "flat.apt", "--part", "part.stl", "-o", "night", "--resume"};
+  ASSERT_EQ(shop_.run(words).exit_status, 0);
+  std::vector<std::string> with = words;
+  with.emplace_back("--certificates");
+  ASSERT_EQ(shop_.run(with).exit_status, 0);
+  expect_lines(verify(), {"job flat: verified: every bound is proved\n"});
+  expect_lines(shop_.run(with), {"1 job taken from the store, 0 run\n"});
+  ASSERT_EQ(shop_.run_script("rm night/certificates/flat.gcp").exit_status, 0);
+  EXPECT_EQ(shop_.run(with).out.find("taken from the store"), std::string::npos) << "the job runs again";
+}
+
 TEST_F(VerifyBatch, NamesJobsWithoutAResultAndNeverCountsThemAsVerified) {
   batch(R"({"defaults": {"part": "part.stl"}, "jobs": [
     {"name": "flat", "path": "flat.apt"}, {"name": "none", "path": "none.apt"},
