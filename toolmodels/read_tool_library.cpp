@@ -348,10 +348,12 @@ class Reader {
           "library-duplicate-number",
           who + ": number " + std::to_string(*tool.number) + " is already taken; give every tool a number of its own",
           pointer + "/number");
-    if (!tool.name.empty() && !by_name_.try_emplace(tool.name, library_.tools.size()).second)
+    if (!tool.name.empty() && !by_name_.try_emplace(tool.name, library_.tools.size()).second) {
+      library_.shared_names.push_back(tool.name);
       library_.notes.push_back(make_warning(
           "library-duplicate-name", who + " has the name of an earlier tool; asked for by name, the first is taken",
           library_.file, lines_.at(pointer + "/name")));
+    }
     if (const double height = height_mm(tool);
         tool.gauge_length_mm > height * (1 + Tolerance::kRounding) && !tool.holder.empty())
       library_.notes.push_back(make_warning("tool-gauge-length",

@@ -23,6 +23,14 @@ const ToolAssembly* ToolLibrary::with_name(std::string_view name) const {
   return found == tools.end() ? nullptr : &*found;
 }
 
+bool ToolLibrary::is_shared_number(int number) const {
+  return std::ranges::find(shared_numbers, number) != shared_numbers.end();
+}
+
+bool ToolLibrary::is_shared_name(std::string_view name) const {
+  return std::ranges::find(shared_names, name) != shared_names.end();
+}
+
 const ToolAssembly* ToolLibrary::called(std::string_view name) const {
   if (const ToolAssembly* tool = with_name(name)) return tool;
   const auto number = tool_number(name);

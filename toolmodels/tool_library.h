@@ -29,12 +29,16 @@ struct ToolLibrary {
   std::vector<ToolAssembly> tools;  ///< lengths in mm
   std::vector<NamedHolder> holders;
   Diagnostics notes;  ///< warnings, such as unknown keys
-  /// numbers that several tools of an imported file share; the first tool keeps the number
+  /// Numbers and names that several tools of the file share, including tools of an imported file that were left out. The
+  /// first tool of the library keeps the number.
   std::vector<int> shared_numbers;
+  std::vector<std::string> shared_names;
 
   /// Returns the tool with that number; null if there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;
   [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
+  [[nodiscard]] bool is_shared_number(int number) const;
+  [[nodiscard]] bool is_shared_name(std::string_view name) const;
   /// Returns the tool that a user means by `name`: the one with that name, else with that number, written 3 or T3.
   [[nodiscard]] const ToolAssembly* called(std::string_view name) const;
   /// Returns the segments of the holder with this name, or of the holder of the tool with this name; null if there is

@@ -11,7 +11,7 @@ using nlohmann::ordered_json;
 
 class LibraryWriter {
  public:
-  explicit LibraryWriter(LengthUnit unit) : factor_(mm_per(unit)) {}
+  explicit LibraryWriter(const ToolLibrary& library) : library_(library), factor_(mm_per(library.unit)) {}
 
   [[nodiscard]] ordered_json cutter(const Cutter& cutter) const {
     ordered_json result = {{"shape", shape_name(cutter)}};
@@ -67,18 +67,25 @@ class LibraryWriter {
     if (t.stickout_mm > 0) result["stickout"] = length(t.stickout_mm);
     if (t.gauge_length_mm > 0) result["gauge_length"] = length(t.gauge_length_mm);
     if (!t.cuts) result["cuts"] = false;
-    if (!t.uncertainty.empty()) result["uncertain"] = t.uncertainty;
+    if (const std::string why = uncertainty(t); !why.empty()) result["uncertain"] = why;
     return result;
   }
 
  private:
+  // A library of ours cannot state that a number had several tools, so the tool itself states it.
+  [[nodiscard]] std::string uncertainty(const ToolAssembly& t) const {
+    if (!t.uncertainty.empty() || !t.number || !library_.is_shared_number(*t.number)) return t.uncertainty;
+    return "the file that it was imported from has several tools of number " + std::to_string(*t.number);
+  }
+
+  const ToolLibrary& library_;
   double factor_;
 };
 
 }  // namespace
 
 std::string write_tool_library(const ToolLibrary& library) {
-  const LibraryWriter writer(library.unit);
+  const LibraryWriter writer(library);
   ordered_json document;
   document["units"] = library.unit == LengthUnit::inch ? "inch" : "mm";
   document["tools"] = ordered_json::array();

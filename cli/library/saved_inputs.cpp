@@ -120,7 +120,8 @@ std::string ToolLibrary::to_bytes() const {
                              {"files", std::move(files)},
                              {"is_by_facts", content_->is_by_facts},
                              {"notes", gougecheck::fields_of(library.notes)},
-                             {"shared_numbers", library.shared_numbers}});
+                             {"shared_numbers", library.shared_numbers},
+                             {"shared_names", library.shared_names}});
 }
 
 ToolLibrary ToolLibrary::from_bytes(std::string_view bytes) {
@@ -130,6 +131,7 @@ ToolLibrary ToolLibrary::from_bytes(std::string_view bytes) {
     content.is_by_facts = fields.at("is_by_facts");
     content.library.notes = diagnostics_in(fields.at("notes"));
     content.library.shared_numbers = fields.at("shared_numbers").get<std::vector<int>>();
+    content.library.shared_names = fields.at("shared_names").get<std::vector<std::string>>();
     return ToolLibrary(std::make_shared<const Content>(std::move(content)));
   });
 }

@@ -234,12 +234,14 @@ class Resolver {
                                          path_.file, tool.line));
   }
 
-  // Marks the tool as unknown if the library left out a part of it, or has several tools with its number.
+  // Marks the tool as unknown if the library left out a part of it, or has several tools with its number or name.
   void mark_library_uncertain(const PathTool& tool, const ToolAssembly& known) {
-    const auto& shared = library_->shared_numbers;
     const bool is_found_by_number = !is_named(tool) && tool.number && known.number == tool.number;
-    if (is_found_by_number && std::ranges::find(shared, *tool.number) != shared.end())
+    const bool is_found_by_name = !is_named(tool) && !is_found_by_number && known.name == tool.name;
+    if (is_found_by_number && library_->is_shared_number(*tool.number))
       uncertainty_ = library_->file + " has several tools of number " + std::to_string(*tool.number);
+    else if (is_found_by_name && library_->is_shared_name(tool.name))
+      uncertainty_ = library_->file + " has several tools with the name " + tool.name;
     else if (!known.uncertainty.empty())
       uncertainty_ = name_of(tool) + ": " + known.uncertainty;
     if (!uncertainty_.empty()) basis_ = Basis::unknown;

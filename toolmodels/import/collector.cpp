@@ -41,12 +41,16 @@ void Collector::leave_out(const std::string& who, const std::string& shape, std:
   report(who, make_warning("import-shape", "not imported: shape " + shape), line);
 }
 
+void Collector::count(const std::optional<int>& number, const std::string& name) {
+  if (number) ++tools_of_number_[*number];
+  if (!name.empty()) ++tools_of_name_[name];
+}
+
 void Collector::assign_number(ToolAssembly& tool, std::size_t line) {
   if (!tool.number || numbers_.insert(*tool.number).second) return;
   const std::string who = tool_label(tool.number, tool.name);
   const int number = *tool.number;
   tool.number.reset();
-  made_.library.shared_numbers.push_back(number);
   if (tool.name.empty()) tool.name = "tool at position " + std::to_string(made_.library.tools.size() + 1);
   report(who,
          make_warning("import-number", "number " + std::to_string(number) +
@@ -91,6 +95,10 @@ void Collector::add_holder(NamedHolder holder, LengthUnit unit, std::size_t line
 ImportedTools Collector::finish() {
   const bool is_empty = made_.library.tools.empty() && made_.library.holders.empty();
   if (is_empty) made_.notes.push_back(make_error("import-empty", "no tool of this file could be imported", file()));
+  for (const auto& [number, tools] : tools_of_number_)
+    if (tools > 1) made_.library.shared_numbers.push_back(number);
+  for (const auto& [name, tools] : tools_of_name_)
+    if (tools > 1) made_.library.shared_names.push_back(name);
   made_.library.unit = is_all_inch_ && !is_empty ? LengthUnit::inch : LengthUnit::mm;
   return std::move(made_);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -17,6 +19,8 @@ class Collector {
  public:
   Collector(std::string file, const ImportOptions& options);
 
+  /// Counts a tool of the file under its number and its name. To be called once for each, also if it is left out later.
+  void count(const std::optional<int>& number, const std::string& name);
   void add(CatalogueTool tool);
   void add_holder(NamedHolder holder, LengthUnit unit, std::size_t line);
   /// Reports that the tool `who` was left out because its shape cannot be expressed.
@@ -37,6 +41,8 @@ class Collector {
   const ImportOptions& options_;
   ImportedTools made_;
   std::unordered_set<int> numbers_;  // tool numbers already in use
+  std::map<int, std::size_t> tools_of_number_;
+  std::map<std::string, std::size_t> tools_of_name_;
   bool is_all_inch_ = true;
 };
 

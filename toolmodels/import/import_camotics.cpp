@@ -27,6 +27,7 @@ class CamoticsImporter {
     tool_.line = line;
     if (const auto number = parse_integer(key)) tool_.number = tool_number(*number);
     tool_.name = detail::text_of(entry, "description");
+    collector_.count(tool_.number, tool_.name);
     who_ = tool_label(tool_.number, tool_.name.empty() ? key : tool_.name);
     if (!entry.is_object()) return report(make_error("import-field", "is no object; expected a tool"));
     const Outcome read = read_unit(entry);

@@ -98,6 +98,7 @@ class BitImporter {
     tool_.number = number;
     tool_.name = detail::text_of(json_.root, "name");
     if (tool_.name.empty()) tool_.name = clean_text(stem(file_));
+    collector_.count(std::nullopt, tool_.name);  // its number is counted with its entry in the library
     tool_.file = file_;
     who_ = tool_label(tool_.number, tool_.name);
     if (!read_shape()) return;
@@ -224,6 +225,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
   std::optional<int> number;
   if (const auto found = entry.find("nr"); found != entry.end() && found->is_number_integer())
     number = tool_number(found->get<std::int64_t>());
+  collector.count(number, {});
   if (!collector.options().read_beside)
     return collector.report(who, make_error("import-field", path + " cannot be read from here"), line);
   const Result<std::string> bytes = collector.options().read_beside(path);

@@ -78,6 +78,7 @@ class FusionImporter {
     const std::string type = detail::text_of(entry, "type");
     if (plain_word(type) == "holder") return holder_entry(entry, tool, position);
     read_number(entry, tool);
+    collector_.count(tool.number, tool.name);
     if (!tool.number && tool.name.empty()) tool.name = "entry " + std::to_string(position);
     who_ = tool_label(tool.number, tool.name);
     line_ = tool.line;

@@ -62,6 +62,7 @@ void read_row(std::string_view words, std::string_view remark, std::size_t line,
   const std::string number(text_behind(words, 'T').value_or(std::string_view()));
   const auto whole = parse_integer(number);
   if (whole) tool.number = tool_number(*whole);
+  collector.count(tool.number, tool.name);
   const std::string who = tool_label(tool.number, tool.name);
   if (!tool.number)
     return collector.report(who,

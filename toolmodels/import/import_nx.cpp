@@ -62,6 +62,7 @@ class RowImporter {
     tool_.name = text("LIBRF");
     if (const std::optional<long long> number = parse_integer(text("TLNUM")); number && *number > 0)
       tool_.number = tool_number(*number);
+    collector.count(tool_.number, tool_.name);
     if (!tool_.number && tool_.name.empty()) tool_.name = "row in line " + std::to_string(row.line);
     who_ = tool_label(tool_.number, tool_.name);
   }
