@@ -217,15 +217,15 @@ bool stays_below(const std::string& path) {
 }
 
 void read_listed(Collector& collector, const Json& entry, const std::string& who, std::size_t line) {
+  std::optional<int> number;
+  if (const auto found = entry.find("nr"); found != entry.end() && found->is_number_integer())
+    number = tool_number(found->get<std::int64_t>());
+  collector.count(number, {});
   const std::string path = entry.is_object() ? detail::text_of(entry, "path") : std::string();
   if (!stays_below(path))
     return collector.report(
         who, make_error("import-field", "path is \"" + path + "\"; expected the name of a file beside the library"),
         line);
-  std::optional<int> number;
-  if (const auto found = entry.find("nr"); found != entry.end() && found->is_number_integer())
-    number = tool_number(found->get<std::int64_t>());
-  collector.count(number, {});
   if (!collector.options().read_beside)
     return collector.report(who, make_error("import-field", path + " cannot be read from here"), line);
   const Result<std::string> bytes = collector.options().read_beside(path);

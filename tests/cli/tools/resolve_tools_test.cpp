@@ -287,6 +287,15 @@ TEST(ResolveTools, ANumberOfSeveralToolsIsUnknownUnlessOneIsNamed) {
   EXPECT_EQ(fact_of_tool(path, &library, {"2=2"}).basis, Basis::stated);
 }
 
+TEST(ResolveTools, ANameOfSeveralToolsIsUnknownUnlessOneIsNamed) {
+  ToolLibrary library = library_with_holder();
+  library.tools[0].name = "MILL";
+  library.shared_names = {"MILL"};
+  const std::string path = "TOOL PATH/OP,TOOL,MILL\nTLDATA/MILL,12.7,0,38.1,0,0\nUNITS/MM\nGOTO/0,0,5\nEND-OF-PATH\n";
+  EXPECT_EQ(fact_of_tool(path, &library).basis, Basis::unknown);
+  EXPECT_EQ(fact_of_tool(path, &library, {"MILL=2"}).basis, Basis::stated);
+}
+
 TEST(ResolveTools, TheDiameterThatNciStatesIsComparedWithTheLibrary) {
   const ToolLibrary library = library_with_holder();
   const auto of_diameter = [&](const std::string& diameter) {

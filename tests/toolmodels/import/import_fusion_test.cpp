@@ -143,6 +143,8 @@ TEST(ImportFusion, WhatCannotBeImportedIsReported) {
             "shop.json:42: warning: tool T1 \"Second tool 1\": number 1 is already taken; this tool is imported "
             "without number, as \"Second tool 1\" [import-number]\n");
   EXPECT_EQ(made.library.tools.size(), 8u);
+  EXPECT_TRUE(made.library.is_shared_number(1));
+  EXPECT_FALSE(made.library.is_shared_number(8));
   EXPECT_EQ(notes_of(import_one("form mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-shape"),
             "one.json:1: warning: tool T9 \"x\": not imported: shape form mill [import-shape]\n");
 }
