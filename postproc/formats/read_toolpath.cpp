@@ -10,9 +10,9 @@ namespace gouge {
 
 Dialect dialect_of(std::string_view bytes, const ReadOptions& options) {
   Dialect dialect = options.dialect ? *options.dialect : recognise_dialect(bytes);
-  // A program of a few blocks has no marks; the user who states its control has one. The control may be that of another
-  // file, such as the program that is compared with this CL data.
-  const bool has_control = options.program && options.program->is_control_stated;
+  // A program of a few blocks has no marks; the user who states a control, or a machine with one, has a program. The control
+  // may be that of another file, such as the program that is compared with this CL data.
+  const bool has_control = options.program && !options.program->control.empty();
   if (!options.dialect && dialect.is_fallback && has_control && !looks_like_cl_data(bytes)) dialect = gcode_dialect();
   return dialect;
 }

@@ -25,7 +25,8 @@ namespace {
 
 constexpr std::size_t kShortestPosition = std::string_view("GOTO/1,1,1").size();
 constexpr std::size_t kLongestFile = (std::size_t{1} << 32U) - 2;  // a SmallIndex can count its bytes
-constexpr const char* kExpected = "expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI file";
+constexpr const char* kExpected =
+    "expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI file, or a program of a machine with --control";
 
 // Bytes that do not occur in text: control characters except line ends, tabs and other blanks.
 constexpr std::array<bool, 256> kIsControl = [] {

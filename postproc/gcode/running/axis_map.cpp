@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "postproc/gcode/language/gcode_block.h"
 
@@ -45,7 +46,26 @@ Diagnostic describe_missing_axis(char letter, const Machine* machine, const std:
   return make_error("gcode-machine", "the program turns axis " + std::string(1, letter) + missing, file, line);
 }
 
-AxisMapper::AxisMapper(const Machine* machine) : machine_(machine) {
+std::string AxisMapper::unknown_angles() const {
+  if (machine_ == nullptr) return "the positions of the rotary joints are not known";
+  const bool is_klartext = control_ == "heidenhain", is_siemens = control_ == "siemens";
+  std::vector<std::string> names;
+  std::string words = is_klartext ? "L" : is_siemens ? "G71 G90 G60 G0" : "G90 G0";
+  for (const std::size_t k : machine_->rotary) {
+    names.push_back(machine_->joints[k].name);
+    words += " " + names.back() + (is_klartext ? "+0" : is_siemens ? "0" : "0.");
+  }
+  return "the positions of the rotary joints are not known; expected " + listed(names, " and ") +
+         " in a block before, or --start \"" + words + (is_klartext ? " FMAX" : "") + "\"" +
+         (is_siemens ? ", with G70 for a program in inches" : "");
+}
+
+std::string AxisMapper::unknown_tip_control() const {
+  const std::string text = "nothing states whether tool centre point control is on";
+  return control_ == "siemens" ? text + "; expected TRAORI or TRAFOOF before this block, or --start TRAFOOF" : text;
+}
+
+AxisMapper::AxisMapper(const Machine* machine, const std::string& control) : machine_(machine), control_(control) {
   if (machine == nullptr) return;
   for (std::size_t i = 0; i < 3; ++i) linear_.at(i) = joint_called(*machine, kLinearNames.at(i)).value_or(0);
   at_zero_ = at_joints(Vec3::Zero(), {0, 0}, 0);
@@ -106,11 +126,11 @@ AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) cons
     const bool is_turned = !stands_at_zero(angles[0]) || !stands_at_zero(angles[1]);
     map = at_zero;
     if (!is_known(angles[0]) || !is_known(angles[1])) {
-      if (!state.is_aligned) map.open = "the positions of the rotary joints are not known";
+      if (!state.is_aligned) map.open = unknown_angles();
     } else if (is_turned && !state.is_aligned) {
       const Eigen::Matrix3d turn = tool_axes(*machine_, angles) * machine_->rest.rotation.transpose();
       map.axis = turn * at_zero.axis;
-      if (state.tip_control == TipControl::unknown) map.open = "nothing states whether tool centre point control is on";
+      if (state.tip_control == TipControl::unknown) map.open = unknown_tip_control();
       if (state.tip_control == TipControl::turned_offset) map.linear = turn * at_zero.linear;
       if (state.tip_control == TipControl::off) {
         // The length that the control applies runs along Z, and the tool along its axis.

@@ -61,7 +61,8 @@ struct AxisMap {
 /// Makes the maps of a machine; without a machine the coordinates are those of the part, and the tool axis is z.
 class AxisMapper {
  public:
-  explicit AxisMapper(const Machine* machine);
+  /// `control` is the id of the language of the program.
+  AxisMapper(const Machine* machine, const std::string& control);
 
   /// Returns the map with these rotary angles (rad, unknown where they are not numbers).
   [[nodiscard]] AxisMap map(const AxisFrame& state, const RotaryAngles& angles) const;
@@ -69,6 +70,10 @@ class AxisMapper {
   /// along Z, or the control turns positions about a point that it takes for the tip.
   [[nodiscard]] bool needs_applied_length(const AxisFrame& state, const RotaryAngles& angles) const;
   [[nodiscard]] bool has_machine() const { return machine_ != nullptr; }
+  /// Returns why a motion is not known if the positions of the rotary joints are not, with the words that state them.
+  [[nodiscard]] std::string unknown_angles() const;
+  /// Returns why a motion is not known if nothing states TipControl, with the words that state it.
+  [[nodiscard]] std::string unknown_tip_control() const;
   /// Returns the place of a rotary joint by its letter in RotaryAngles; none: the machine has none of this name.
   [[nodiscard]] std::optional<std::size_t> rotary_of(char letter) const;
 
@@ -77,6 +82,7 @@ class AxisMapper {
   [[nodiscard]] std::string missing_point(const RotaryAngles& angles) const;
 
   const Machine* machine_;
+  std::string control_;
   std::array<std::size_t, 3> linear_{};  // joints of X, Y and Z
   AxisMap at_zero_;                      // with all joints at 0
 };

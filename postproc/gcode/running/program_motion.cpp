@@ -44,7 +44,7 @@ std::optional<double> arc_scale(const Eigen::Matrix3d& linear) {
 ProgramMotion::ProgramMotion(PathBuilder& builder, const ProgramSetup& setup)
     : builder_(builder),
       setup_(setup),
-      mapper_(setup.machine.get()),
+      mapper_(setup.machine.get(), setup.control),
       chain_(builder),
       operation_(builder),
       has_run_(builder.path.statements.size()) {
@@ -114,13 +114,12 @@ std::string ProgramMotion::why_not_motion(MoveKind kind, const AxisPlace& to, bo
   if (is_turning && turns_beyond_law(kind, to))
     return "a rotary joint turns by half a turn or more, which the law vector leaves out; expected --feed-law or "
            "--rapid-law axis, documented or any";
-  if (is_turning && state_.tip_control == TipControl::unknown)
-    return "nothing states whether tool centre point control is on";
+  if (is_turning && state_.tip_control == TipControl::unknown) return mapper_.unknown_tip_control();
   if (is_turning && is_arc && state_.tip_control != TipControl::on)
     return "rotary joints turn along an arc without tool centre point control";
   const bool has_no_angles = !to.axis && (!is_known(to.angles[0]) || !is_known(to.angles[1]));
   if (has_no_angles && kind == MoveKind::rapid && !setup_.are_joint_rapids_straight && !are_rapids_together_)
-    return "the positions of the rotary joints are not known";
+    return mapper_.unknown_angles();
   return {};
 }
 

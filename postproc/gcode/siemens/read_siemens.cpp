@@ -16,6 +16,13 @@ constexpr std::size_t kLinesToRecognise = 300;
 constexpr auto kMarks = std::to_array<std::string_view>(
     {"TRAORI", "TRAFOOF", "SUPA", "CYCLE800", "CYCLE832", "CYCLE81", "DEF REAL", "G710", "MCALL"});
 
+/// Returns whether a line names the program in the memory of a Siemens control: "%_N_PART_MPF" or ";$PATH=/_N_MPF_DIR".
+bool is_name_in_memory(std::string_view line) {
+  const std::string text = in_capitals(line);
+  if (text.starts_with(";$PATH=")) return true;
+  return text.starts_with("%_N_") && (text.ends_with("_MPF") || text.ends_with("_SPF"));
+}
+
 bool is_mark_in(std::string_view line) {
   const std::string text = in_capitals(without_comment(line));
   return std::ranges::any_of(kMarks, [&](std::string_view mark) { return text.find(mark) != std::string::npos; });
@@ -70,6 +77,7 @@ bool is_siemens_program(std::string_view bytes) {
     const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
     const std::string_view line = trim_blanks(bytes.substr(at, end - at));
     at = end + 1;
+    if (is_name_in_memory(line)) return true;
     if (line.empty() || line[0] == '%' || line[0] == ';') continue;
     const SiemensLineStart start = read_siemens_start(line);
     (start.number.empty() ? others : blocks) += 1;

@@ -1,6 +1,9 @@
 // Rapids from places that are not known, at the start of a program and after a tool change.
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/postproc/gcode/program.h"
 
@@ -82,6 +85,36 @@ TEST(GcodeApproach, AWholePositionOrAStepIsNoApproach) {
       read_program("G21 G90 G17\nT1 M6\nG43 H1\nG0 X0 Y0 Z20\nT2 M6\nG0 X0 Y0 Z5\nX30\nM2\n", "linuxcnc")));
   EXPECT_FALSE(can_be_clean(
       read_program("G21 G90 G17\nT1 M6\nG43 H1\nG0 X0 Y0\nG91 G0 Z-50\nX10\nG90 G0 X0 Y0 Z50\nM2\n", "linuxcnc")));
+}
+
+// A program of three axes leaves rotary joints where they are. The reason has the words that state where that is.
+TEST(GcodeApproach, TheReasonForUnknownJointsHasTheWordsThatStateThem) {
+  const std::string iso = "G21 G17 G40 G49 G80 G90 G94\nT1 M6\nG54 G0 X-20. Y30.\nG43 H1 Z50.\nG1 X120. F500.\nM30\n";
+  const std::vector<std::pair<std::string, std::string>> programs = {
+      {"linuxcnc", iso},
+      {"haas", "%\nO1000\n" + iso},
+      {"fanuc", "%\nO1000\n" + iso},
+      {"siemens", "G17 G71 G90 G94 G60 G54\nTRAFOOF\nT=\"A\" M6\nD1\nG0 X-20 Y30\nZ50\nG1 X120 F500\nM30\n"},
+      {"heidenhain",
+       "BEGIN PGM N MM\nTOOL CALL 1 Z S3000\nL X-20 Y30 R0 FMAX\nL Z+50 FMAX\nL X+120 F500\nM30\nEND PGM N MM\n"}};
+  for (const auto& [control, text] : programs) {
+    ProgramSetup setup;
+    setup.machine = test::trunnion();
+    setup.offsets["G54"] = WorkOffset{};
+    setup.tool_length_mm = 100;
+    setup.are_joint_rapids_straight = true;
+    const std::string reason = reasons_of(read_program(text, control, setup));
+    const std::string begin =
+        "the positions of the rotary joints are not known; expected C and A in a block before, or "
+        "--start \"";
+    const std::size_t at = reason.find(begin);
+    ASSERT_NE(at, std::string::npos) << control << ": " << reason;
+    const std::size_t first = at + begin.size();
+    setup.start = reason.substr(first, reason.find('"', first) - first) + "\n";
+    const ReadOutcome stated = read_program(text, control, setup);
+    EXPECT_TRUE(stated.toolpath) << control << ": " << reasons_of(stated);
+    EXPECT_EQ(reasons_of(stated).find("rotary joints"), std::string::npos) << control << ": " << reasons_of(stated);
+  }
 }
 
 TEST(GcodeApproach, TheLawVectorDoesNotTurnByHalfATurn) {

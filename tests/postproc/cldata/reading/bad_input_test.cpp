@@ -28,22 +28,22 @@ TEST(BadPath, AnErrorInALastLineWithoutAnEndMayBeACut) {
 TEST(BadPath, NoFileOfCutterPositions) {
   EXPECT_EQ(only_error(""),
             "bad.apt: error: the file is empty; expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI "
-            "file [path-empty]");
+            "file, or a program of a machine with --control [path-empty]");
   EXPECT_EQ(only_error("UNITS/MM\nFINI\n"),
             "bad.apt: error: holds no position; expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI "
-            "file; the first line is \"UNITS/MM\" [path-no-motion]");
+            "file, or a program of a machine with --control; the first line is \"UNITS/MM\" [path-no-motion]");
   EXPECT_EQ(only_error("1.0 2.0 3.0\n4.0 5.0 6.0\n"),
             "bad.apt: error: holds columns of numbers without words, so what they mean is not stated; expected "
             "GOTO/x,y,z,i,j,k [path-not-cl-data]");
   EXPECT_EQ(only_error("\n\n\n"),
             "bad.apt: error: holds no position; expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI "
-            "file [path-no-motion]");
+            "file, or a program of a machine with --control [path-no-motion]");
 }
 
 TEST(BadPath, BytesThatAreNoText) {
   EXPECT_EQ(only_error(std::string("GOTO/1,2,3\nGO\0TO/1,2,3\n", 23)),
             "bad.apt:2: error: is not text: byte 0 at position 13; expected APT CL data, an NX CLSF, a binary NCCS or "
-            "a Mastercam NCI file [path-binary]");
+            "a Mastercam NCI file, or a program of a machine with --control [path-binary]");
   const std::string ncl("\x11\x00\xe8\x1c\x00\x00\x00\x00    ", 12);
   EXPECT_EQ(only_error(ncl),
             "bad.apt:1: error: the file ends within this record, or the record has no length: it is cut short or "

@@ -7,6 +7,7 @@
 #include "postproc/cldata/interpreting/interpreter.h"
 #include "postproc/formats/read_toolpath.h"
 #include "postproc/formats/toolpath_format.h"
+#include "postproc/gcode/running/program_setup.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
 
@@ -194,11 +195,35 @@ TEST(Foreign, FilesThatAreNoClDataAreNamed) {
 TEST(Foreign, AProgramNeedsItsControl) {
   for (const std::string text :
        {"%\nO1000\nG21 G90\nT1 M6\nG0 X1. Y2. Z3.\nG1 Z-1. F100\nM30\n%\n", "0 BEGIN PGM TEST MM\n1 L X+1 Y+2 FMAX\n",
-        "G0  X  16.3  Y -25.4\nG1  X   6.3  F 318\nG1  X   6.4  Y 2\n"}) {
+        "G0  X  16.3  Y -25.4\nG1  X   6.3  F 318\nG1  X   6.4  Y 2\n",
+        "%_N_X_MPF\nN10 G17 G71 G90\nN20 TRANS Z0\nN30 AROT X0\nN40 R1=5\nN50 G1 X1 F100\n",
+        ";$PATH=/_N_WKS_DIR/_N_X_WPD\nN10 MSG(\"A\")\nN20 R1=5\nN30 STOPRE\n"}) {
     const ReadOutcome outcome = read_toolpath("a", text);
     ASSERT_FALSE(outcome.toolpath) << text;
     EXPECT_EQ(outcome.errors.front().code, "gcode-control") << text;
   }
+}
+
+TEST(Foreign, AnErrorNamesTheControlThatTheWordsAreOf) {
+  const auto message_of = [](const std::string& text) { return read_toolpath("a", text).errors.at(0).message; };
+  EXPECT_NE(message_of("0 BEGIN PGM A MM\n1 L X+1 Y+2 FMAX\n").find("expected --control heidenhain, because"),
+            std::string::npos);
+  EXPECT_NE(message_of("%_N_X_MPF\nN10 G0 X1\nN20 TRAORI\n").find("expected --control siemens, because"),
+            std::string::npos);
+  EXPECT_NE(message_of("%\nO1\nG21 G90\nG0 X1. Y2.\nG1 Z-1. F9\nM30\n").find("expected --control linuxcnc"),
+            std::string::npos);
+}
+
+// A program of few blocks has no marks of one, but the machine states its control.
+TEST(Foreign, AProgramOfAMachineWithAControlIsReadAsThat) {
+  const std::string text = "N10 G17 G71 G90 G54\nN20 R1=5\nN30 TRANS Z0\nN40 MSG(\"A\")\nN50 G1 X=R1 F100\nN60 M30\n";
+  ReadOptions options;
+  EXPECT_EQ(dialect_of(text, options).format, "text");
+  ProgramSetup setup;
+  setup.control = "siemens";
+  options.program = std::make_shared<ProgramSetup>(setup);
+  EXPECT_EQ(dialect_of(text, options).format, "gcode");
+  EXPECT_EQ(dialect_of("PARTNO/A\nGOTO/1,2,3\n", options).format, "text");
 }
 
 // pmill_test1_4: the four numbers of the binary record and the seven of its ASCII twin are one cutter.
