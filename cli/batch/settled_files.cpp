@@ -104,13 +104,24 @@ void print_batch(std::ostream& out, const std::vector<JobResult>& results) {
   out << batch_text(results, is_terminal(out) ? kMaxRows : results.size(), terminal_columns(out));
 }
 
+namespace {
+
+// Prints the messages of a job without a result, apart from the first one, which is below the table.
+void print_further_messages(std::ostream& err, const JobResult& job) {
+  const std::vector<std::string> remarks = job.remarks();
+  for (std::size_t k = 1; k < remarks.size(); ++k)
+    err << "job " << printable(job.name) << ": " << printable(remarks[k]) << "\n";
+}
+
+}  // namespace
+
 void print_job_notes(std::ostream& out, std::ostream& err, const std::vector<JobResult>& results, bool is_verbose) {
   std::size_t count = 0;
   for (const JobResult& job : results) {
-    if (job.unit.empty()) continue;  // its errors are in the table
-    count += job.warnings().size();
+    if (!job.unit.empty()) count += job.warnings().size();
     if (!is_verbose) continue;
     for (const Diagnostic& note : job.notes) err << "job " << printable(job.name) << ": " << to_text(note) << "\n";
+    if (job.unit.empty()) print_further_messages(err, job);
   }
   if (count > 0 && !is_verbose) out << count_text(count, "warning") << "; -v lists them\n";
 }

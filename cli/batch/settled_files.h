@@ -66,7 +66,8 @@ inline constexpr const char* kStoreName = kBatchStoreName;
 /// Prints the table of the jobs; on a terminal only its first rows.
 void print_batch(std::ostream& out, const std::vector<JobResult>& results);
 
-/// Prints the warnings and notes of the jobs that were checked with `is_verbose`, else the number of the warnings.
+/// Prints the warnings and notes of the jobs that were checked, and the further messages of those that failed, with
+/// `is_verbose`. Otherwise it prints the number of the warnings.
 void print_job_notes(std::ostream& out, std::ostream& err, const std::vector<JobResult>& results, bool is_verbose);
 
 /// Prints the errors of jobs without a result, as their commands reported them. With -q nothing else is printed.

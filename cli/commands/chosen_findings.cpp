@@ -16,8 +16,9 @@ struct NumberRange {
 std::optional<NumberRange> parse_range(const std::string& text) {
   constexpr std::int64_t kMost = 1'000'000;
   const std::size_t dash = text.find('-');
-  const auto first = parse_integer(text.substr(0, dash));
-  const auto last = dash == std::string::npos ? first : parse_integer(text.substr(dash + 1));
+  const auto number = [](std::string_view typed) { return parse_integer(trim_blanks(typed)); };
+  const auto first = number(std::string_view(text).substr(0, dash));
+  const auto last = dash == std::string::npos ? first : number(std::string_view(text).substr(dash + 1));
   if (!first || !last || *first < 0 || *last < *first || *last - *first >= kMost ||
       *last > std::numeric_limits<std::uint32_t>::max() - 1)
     return std::nullopt;

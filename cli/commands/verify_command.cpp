@@ -35,7 +35,7 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
       .add_option(
           "--seconds", a.seconds,
           "Minimum duration of sampling (default: 0, for the end of every move without a proof and 4000 instants more, "
-          "whatever time they take)")
+          "whatever time they take; maximum: 1000000)")
       ->type_name("SECONDS");
   add_input_limit(command, a.input);
   add_threads_option(command, a.threads);
@@ -65,7 +65,7 @@ int run_verify(const VerifyArguments& typed, std::ostream& out, std::ostream& er
   if (const auto error = find_contradiction(a)) return fail(err, {*error});
   const std::optional<double> seconds = a.seconds.empty() ? 0 : parse_number(a.seconds);
   if (!seconds || !(*seconds >= 0 && *seconds <= kMaxSeconds))
-    return fail(err, {usage_error("--seconds", a.seconds, "a number of seconds, 0 or more")});
+    return fail(err, {usage_error("--seconds", a.seconds, "a number of seconds from 0 to 1000000, such as 2.5")});
   if (is_batch_folder(typed.result_file)) return run_verify_batch(typed, *seconds, out, err);
   if (const auto other = refuse_other_folder(typed.result_file)) return fail(err, {*other});
   a.result_file = result_in(typed.result_file);

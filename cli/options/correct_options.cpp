@@ -11,6 +11,7 @@
 #include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
+#include "lib/base/similar_name.h"
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
 
@@ -57,6 +58,16 @@ NamedStrategy divide(const std::string& typed) {
   return {typed, typed.substr(0, equals), typed.substr(equals + 1)};
 }
 
+/// Returns the error for a value that names no strategy or no body, with the name that was probably meant.
+Diagnostic unknown_strategy(const NamedStrategy& one) {
+  const std::string body = one.body.empty() ? "" : find_similar_name(one.body, {"cutter", "shank", "holder", "head"});
+  const std::string name = find_similar_name(one.name, {"auto", "tilt", "normal", "weighted", "axis", "trim"});
+  const bool is_meant = !name.empty() && (one.body.empty() || !body.empty());
+  const std::string meant = (body.empty() ? "" : body + "=") + name;
+  return usage_error("--strategy", one.typed,
+                     kExpectedStrategy + (is_meant ? "; did you mean " + meant + "?" : std::string()));
+}
+
 /// A value for one body holds for that body, wherever it stands.
 Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all) {
   constexpr std::array kBodies = {Body::cutter, Body::shank, Body::holder, Body::head};
@@ -65,9 +76,10 @@ Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all
   std::stable_partition(given.begin(), given.end(), [](const NamedStrategy& one) { return one.body.empty(); });
   BodyStrategies strategies;
   std::set<std::string> bodies;
-  for (const auto& [one, wanted, name] : given) {
+  for (const NamedStrategy& of : given) {
+    const auto& [one, wanted, name] = of;
     bool is_any = false;
-    if (one.starts_with('=')) return usage_error("--strategy", one, kExpectedStrategy);
+    if (one.starts_with('=')) return unknown_strategy(of);
     if (!bodies.insert(wanted).second)
       return usage_error("--strategy", one,
                          wanted.empty() ? "one strategy for all bodies" : "one strategy for " + wanted);
@@ -77,7 +89,7 @@ Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all
       const auto strategy = strategy_called(name, index);
       // A cutter that gouges is inside the surface that it shall keep to: no tilt about the contact frees it.
       if (!strategy || (wanted == "cutter" && *strategy == Strategy::tilt))
-        return usage_error("--strategy", one, strategy ? "no tilt for the cutter: it shifts" : kExpectedStrategy);
+        return strategy ? usage_error("--strategy", one, "no tilt for the cutter: it shifts") : unknown_strategy(of);
       if (*strategy == Strategy::direction) {
         const auto numbers = parse_numbers(name.substr(kDirection.size()), 3);
         const auto direction = numbers ? direction_of(*numbers) : std::nullopt;
@@ -88,7 +100,7 @@ Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all
           body == Body::cutter && *strategy == Strategy::tilt ? BodyStrategies::kOfCutter : *strategy;
       is_any = true;
     }
-    if (!is_any) return usage_error("--strategy", one, kExpectedStrategy);
+    if (!is_any) return unknown_strategy(of);
   }
   return strategies;
 }

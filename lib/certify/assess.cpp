@@ -118,6 +118,10 @@ Box3 box_of_all(const CheckSetup& setup) {
   return all;
 }
 
+std::string text_in(LengthUnit unit, double length_mm) {
+  return display_text(length_mm / mm_per(unit), 4) + " " + unit_name(unit);
+}
+
 /// A rapid from a place that is not known is clear only above everything.
 void settle_approaches(const Toolpath& path, const CheckSetup& setup, Assumptions& facts) {
   const auto fact = std::ranges::find(facts, Subject::completeness, &Assumption::subject);
@@ -130,8 +134,8 @@ void settle_approaches(const Toolpath& path, const CheckSetup& setup, Assumption
     fact->code = "gcode-approach";
     fact->line = approach.line;
     const std::string at = std::isfinite(approach.height_mm)
-                               ? "the tool is at height " + display_text(approach.height_mm, 4) +
-                                     " mm, below the top of " + display_text(top, 4) + " mm"
+                               ? "the tool is at height " + text_in(path.unit, approach.height_mm) +
+                                     ", below the top of " + text_in(path.unit, top)
                                : "the height of the tool above the part is not known";
     fact->evidence = "in line " + std::to_string(approach.line) + " " + at + ", and where it comes from is not known";
     fact->remedy = std::isfinite(approach.height_mm)

@@ -22,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "gougecheck-accepted";
+constexpr int kVersion = 1;
 
 Json text(const std::string& value) { return valid_utf8(value); }
 
@@ -175,10 +176,14 @@ Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::stri
       parse_json(file, bytes, {"accepted-syntax", "accepted-duplicate-key", "accepted findings"});
   if (!json) return json.error();
   const nlohmann::json& root = json->root;
-  if (!root.is_object() || root.value("format", nlohmann::json()) != kFormat ||
-      root.value("format_version", nlohmann::json()) != 1)
+  if (!root.is_object() || root.value("format", nlohmann::json()) != kFormat)
     return make_error("accepted-format",
                       "this is no file of accepted findings; expected what 'gougecheck accept' writes", file, 1);
+  if (root.value("format_version", nlohmann::json()) != kVersion)
+    return make_error("accepted-format",
+                      "this file of accepted findings is of another version of the format; expected format_version " +
+                          std::to_string(kVersion) + "; use the version of gougecheck that wrote it",
+                      file, json->lines.at("/format_version"));
   JsonErrors errors{file, "accepted-field", &json->lines};
   std::vector<Acceptance> all;
   std::set<std::string> seals;
@@ -215,7 +220,7 @@ std::string write_accepted(const std::vector<Acceptance>& entries) {
   Json all = Json::array();
   for (const Acceptance& entry : entries) all.push_back(sealed_json(entry));
   const Json file = {{"format", kFormat},
-                     {"format_version", 1},
+                     {"format_version", kVersion},
                      {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},
                      {"accepted", std::move(all)}};
   return file.dump(1) + "\n";

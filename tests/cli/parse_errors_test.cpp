@@ -125,6 +125,9 @@ TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
                   "apt-camplete, apt-mori, apt-nccs, nccs-binary, goto-list, apt; mastercam-nci can be read but not "
                   "written");
   }
+  EXPECT_TRUE(corrects("--strategy", "tlit").ends_with("; did you mean tilt?")) << corrects("--strategy", "tlit");
+  EXPECT_TRUE(corrects("--strategy", "holdr=axis").ends_with("; did you mean holder=axis?"));
+  EXPECT_EQ(corrects("--strategy", "something").find("did you mean"), std::string::npos);
 }
 
 TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsReported) {

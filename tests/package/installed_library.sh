@@ -21,6 +21,15 @@ prefix="$work/prefix"
 library=$(find "$prefix" -name 'libgougecheck.so' -print -quit)
 [ -n "$library" ] || fail "no libgougecheck.so is installed"
 folder=$(dirname "$library")
+
+# The Python module finds the library by itself.
+if compgen -G "$build/cli/python/gougecheck/_core*.so" >/dev/null; then
+  cmake --install "$build" --component python --prefix "$prefix" >>"$work/install.log" || fail "cmake --install"
+  module=$(find "$prefix" -path '*/gougecheck/__init__.py' -print -quit)
+  PYTHONPATH=$(dirname "$(dirname "$module")") /usr/bin/python3 -c "
+import gougecheck
+assert gougecheck.Tool.ball(diameter=10, length=30).height == 30" || fail "import gougecheck"
+fi
 export LD_LIBRARY_PATH="$folder"
 
 grep -rl "$source" "$prefix" && fail "the files above name the source folder"

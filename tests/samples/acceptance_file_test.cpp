@@ -62,5 +62,26 @@ TEST_F(AcceptanceFile, WithdrawsOnlyEntriesThatAreThere) {
   refused({"accept", "none.json", "--withdraw", "1"}, 3, "none.json");
 }
 
+TEST_F(AcceptanceFile, ANewerVersionOfTheFormatIsNamed) {
+  ASSERT_EQ(shop_.check("a", path_text(stations({{40, -0.2}}))).exit_status, 1);
+  ASSERT_EQ(accept("1").exit_status, 0);
+  std::string text = shop_.read("accepted.json");
+  const std::string version = "\"format_version\": 1";
+  ASSERT_NE(text.find(version), std::string::npos);
+  shop_.write("accepted.json", text.replace(text.find(version), version.size(), "\"format_version\": 2"));
+  const Outcome ran = shop_.check("b", path_text(stations({{40, -0.2}})), {"--baseline", "accepted.json"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.err.find("accepted.json:3: error: this file of accepted findings is of another version of the format; "
+                         "expected format_version 1"),
+            std::string::npos)
+      << ran.err;
+}
+
+TEST_F(AcceptanceFile, NumbersOfFindingsMayHaveBlanks) {
+  ASSERT_EQ(shop_.check("a", path_text(stations({{30, -0.2}, {70, -0.1}}))).exit_status, 1);
+  EXPECT_EQ(accept("1, 2").exit_status, 0);
+  EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), 2U);
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::acceptance_file_test

@@ -311,6 +311,8 @@ TEST(VerifyCommand, RefusesWhatIsNoResultAndNoCertificate) {
   EXPECT_EQ(status("result.json", "result.json"), 3);
   EXPECT_EQ(status("result.json", ""), 2);
   EXPECT_EQ(run_gougecheck(sample.path, {"verify", "result.json", "--seconds", "x"}).exit_status, 2);
+  EXPECT_NE(run_gougecheck(sample.path, {"verify", "result.json", "--seconds", "1e9"}).err.find("from 0 to 1000000"),
+            std::string::npos);
   EXPECT_EQ(run_gougecheck(sample.path, {"verify", "result.json", "--seconds", "0.1", "-q"}).exit_status, 0);
   std::filesystem::remove(sample.path + "/part.stl");
   EXPECT_EQ(status("result.json", "proofs.gcp"), 3);
