@@ -41,12 +41,8 @@ void BlockRunner::lose_rest(const std::string& reason, std::size_t line) {
 NextBlock BlockRunner::run(const GcodeBlock& block, std::size_t line) {
   line_ = line;
   lost_.clear();
-  if (!block.error.empty()) {
-    lose_rest(block.error, line);
-  } else if (!motion_.is_rest_unknown()) {
-    const std::string wrong = words_.take(block, index_, modes_.motion);
-    if (!wrong.empty()) lose_rest(wrong, line);
-  }
+  const std::string wrong = block.error.empty() ? words_.take(block, index_, modes_.motion) : block.error;
+  if (!wrong.empty()) motion_.is_rest_unknown() ? note_further_word(wrong, line, input_) : lose_rest(wrong, line);
   if (motion_.is_rest_unknown()) {
     if (lost_line_ == line) return {};
     const bool may_move = std::ranges::any_of(block.words, [](const GcodeWord& word) { return word.letter != 'M'; });

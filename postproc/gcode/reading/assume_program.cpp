@@ -65,11 +65,9 @@ Assumption words_of_program(const Toolpath& path) {
   fact.basis = Basis::derived;
   fact.evidence = count_text(path.statements.size(), "block") + " understood";
   if (path.words_not_understood.empty()) return fact;
-  std::vector<std::string> words;
-  for (const auto& [word, times] : path.words_not_understood) words.push_back(word);
   fact.basis = Basis::unknown;
   fact.value = "not understood to its end";
-  fact.evidence = "not understood: " + listed(words);
+  fact.evidence = "not understood: " + listed(words_by_line(path));
   fact.remedy = "correct the program, or state words of your shop with --harmless-word";
   return fact;
 }

@@ -145,6 +145,11 @@ Diagnostic describe_no_motion(const Toolpath& path, const ProgramMotion& motion)
     reason = path.notes.back().message;
     line = path.notes.back().line;
   }
+  std::vector<std::string> words = words_by_line(path);
+  if (words.size() > 1) {
+    words.erase(words.begin());  // the first one is the reason
+    reason += "; also not understood: " + listed(words);
+  }
   if (motion.is_rest_unknown())
     reason += "; correct the program, or state a word that neither moves nor changes anything with --harmless-word";
   return make_error("path-no-motion", "holds no motion that can be checked: " + reason, path.file, line);

@@ -50,6 +50,13 @@ struct ProgramLanguage {
   bool may_return_in_comment = false;
 };
 
+/// Names another word that is not understood, after the knowledge of the program ended, so that the user can mend all at once.
+/// A reason that is listed already, and reasons beyond a number that a person reads, are left out.
+void note_further_word(const std::string& reason, std::size_t line, const ProgramInput& input);
+
+/// Returns the words of a program that are not understood, each after "line N: ", in the order of their lines.
+[[nodiscard]] std::vector<std::string> words_by_line(const Toolpath& path);
+
 /// Adds a warning (gcode-word) and a move that is not checked, and ends the knowledge of all that follows.
 void lose_program(const std::string& reason, std::size_t line, const ProgramInput& input);
 

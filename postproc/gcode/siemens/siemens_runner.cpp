@@ -40,14 +40,10 @@ std::string SiemensRunner::here(const std::string& what) const { return what + i
 
 SiemensNext SiemensRunner::run(const SiemensBlock& block, std::size_t line) {
   line_ = line;
-  if (!block.error.empty()) {
-    lose_rest(block.error, line);
-  } else if (!motion_.is_rest_unknown()) {
-    std::string wrong = words_.take(block, input_.options.harmless_words);
-    if (wrong.empty() && !block.assignments.empty() && !block.words.empty())
-      wrong = block.assignments.front().variable + " is set in a block with other words";
-    if (!wrong.empty()) lose_rest(wrong, line);
-  }
+  std::string wrong = block.error.empty() ? words_.take(block, input_.options.harmless_words) : block.error;
+  if (wrong.empty() && !block.assignments.empty() && !block.words.empty())
+    wrong = block.assignments.front().variable + " is set in a block with other words";
+  if (!wrong.empty()) motion_.is_rest_unknown() ? note_further_word(wrong, line, input_) : lose_rest(wrong, line);
   if (motion_.is_rest_unknown()) {
     const bool may_move = !block.words.empty() || !block.error.empty();
     if (may_move && lost_line_ != line) motion_.go_unchecked(MoveKind::feed, AxisPlace{}, {});
