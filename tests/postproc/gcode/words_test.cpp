@@ -447,17 +447,17 @@ TEST(GcodeWords, MarksOfLoopsAreThoseOfBlocks) {
 
 TEST(GcodeWords, ThatAreUnknownAreNamedAllAtOnce) {
   const std::string text =
-      "G21 G90 G17\nT1 M6\nG43 H1 G0 X1 Y1\nZ9\nG1 Z5 F100\nX9\nM777\nG1 X2\nM888\nM777\nG1 X3\nG0 Z5\nM999\nM2\n";
+      "G21 G90 G17\nT1 M6\nG43 H1 G0 X1. Y1.\nZ9.\nG1 Z5. F100.\nX9.\nM777\nG1 X2.\nM888\nM777\nG1 X3.\nG0 Z5.\nM999\nM2\n";
   const Toolpath path = test::path_of_program(text, "haas");
   const auto fact = std::ranges::find(path.assumptions, Subject::statements, &Assumption::subject);
   ASSERT_NE(fact, path.assumptions.end());
   EXPECT_EQ(fact->evidence,
             "not understood: line 7: M777 is not in the table of control Haas, line 9: M888 is not in the table of "
             "control Haas, line 13: M999 is not in the table of control Haas");
-  std::string many = "G21 G90 G17\nT1 M6\nG43 H1 G0 X1 Y1\nZ9\nG1 Z5 F100\nX9\n";
+  std::string many = "G21 G90 G17\nT1 M6\nG43 H1 G0 X1. Y1.\nZ9.\nG1 Z5. F100.\nX9.\n";
   for (int k = 300; k < 400; ++k) many += "M" + std::to_string(k) + "\n";
   EXPECT_EQ(test::path_of_program(many + "M2\n", "haas").words_not_understood.size(), 20U);
-  const ReadOutcome none = test::read_program("G21 G90 G17\nM777\nM888\nG1 X2 F100\nM2\n", "haas");
+  const ReadOutcome none = test::read_program("G21 G90 G17\nM777\nM888\nG1 X2. F100.\nM2\n", "haas");
   ASSERT_FALSE(none.toolpath);
   EXPECT_NE(
       none.errors.at(0).message.find("M777 is not in the table of control Haas; also not understood: line 3: M888"),
