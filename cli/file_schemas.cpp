@@ -1,5 +1,6 @@
 #include "cli/file_schemas.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/job_words.h"
@@ -37,6 +38,18 @@ Json option_schemas(bool is_job) {
   return all;
 }
 
+/// Adds the options of a command that a job may have and a project file may not, such as outputs.
+void add_options_of_jobs(const std::string& command, Json& all) {
+  for (const CLI::Option* option : option_table(command).get_options()) {
+    if (option->get_lnames().empty() || job_rules().why_not(*option)) continue;
+    const std::string key = key_of_option(option->get_lnames().front());
+    if (key == "help" || all.contains(key)) continue;
+    const bool is_flag = option->get_items_expected_max() == 0, is_repeatable = option->get_items_expected_max() > 1;
+    const Json values = is_flag ? Json({{"type", "boolean"}}) : reference(is_repeatable ? "texts" : "text");
+    all[key] = {{"anyOf", {values, {{"type", "null"}}}}};
+  }
+}
+
 Json definitions() {
   const Json text = {{"type", {"string", "number"}}, {"minLength", 1}};
   const Json body = {{"shank", reference("length")}, {"holder", reference("length")}};
@@ -65,21 +78,24 @@ std::string jobs_schema() {
   Json properties = {
       {"command", {{"enum", {"check", "correct"}}}}, {"path", reference("texts")}, {"report", {{"type", "boolean"}}}};
   properties.update(option_schemas(true));
+  for (const char* const command : {"check", "correct"}) add_options_of_jobs(command, properties);
   Json all = definitions();
-  all["options"] = {{"description", "Beside these, any other option of the command by its long name."},
+  all["options"] = {{"description", "The options of check and correct, by their long names."},
                     {"type", "object"},
-                    {"properties", std::move(properties)},
-                    {"additionalProperties", {{"type", {"string", "number", "boolean", "array", "null"}}}}};
+                    {"properties", std::move(properties)}};
   all["job"] = {{"description", "Options that a job leaves out come from the defaults."},
                 {"type", "object"},
                 {"properties", {{"name", {{"type", "string"}, {"minLength", 1}, {"maxLength", 100}}}}},
-                {"$ref", "#/$defs/options"}};
+                {"$ref", "#/$defs/options"},
+                {"unevaluatedProperties", false}};
+  Json defaults = reference("options");
+  defaults["unevaluatedProperties"] = false;
   const Json schema = {{"$schema", kDraft},
                        {"title", "Job list of gougecheck batch"},
                        {"type", "object"},
                        {"required", {"jobs"}},
                        {"properties",
-                        {{"defaults", reference("options")},
+                        {{"defaults", std::move(defaults)},
                          {"jobs", {{"type", "array"}, {"minItems", 1}, {"items", reference("job")}}}}},
                        {"additionalProperties", false},
                        {"$defs", std::move(all)}};

@@ -37,6 +37,14 @@ TEST(FileSchemas, ThoseOfTheDocsAreTheGeneratedOnes) {
       << "write it anew: gougecheck schema jobs > docs/formats/jobs.schema.json";
 }
 
+TEST(FileSchemas, JobListsHaveTheOptionsOfTheirCommandsAndNoOther) {
+  const nlohmann::json options = nlohmann::json::parse(jobs_schema()).at("$defs").at("options").at("properties");
+  for (const char* key : {"path", "report", "part", "certificate", "json", "baseline", "output", "allow-stock"})
+    EXPECT_TRUE(options.contains(key)) << key;
+  for (const char* key : {"help", "threads", "quiet", "progress", "name", "tolerence"})
+    EXPECT_FALSE(options.contains(key)) << key;
+}
+
 TEST(ProjectFile, ThePageNamesEveryKey) {
   const std::string page = document("project_file.md");
   for (const std::string& key : project_keys()) EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
