@@ -24,8 +24,26 @@ Normal unit(const Vec3& v) {
 
 }  // namespace
 
-std::vector<std::array<Eigen::Vector3f, 3>> PictureScene::corner_normals() const {
-  std::vector<std::array<Normal, 3>> out(face_count());
+template <class AreaNormals>
+std::array<Normal, 3> PictureScene::Mesh::normals(std::uint32_t triangle, const AreaNormals& area) const {
+  const Vec3 own = area(triangle);
+  std::array<Normal, 3> out;
+  out.fill(unit(own));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::span<const std::uint32_t> fan = around->at(triangles[triangle][k]);
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t t : fan.first(std::min(fan.size(), kLargestFan))) {
+      const Vec3 other = area(t);
+      if (is_smooth_between(other, own, kSmoothCosine)) sum += other;
+    }
+    if (sum.norm() > 0) out[k] = unit(sum);
+  }
+  return out;
+}
+
+void PictureScene::keep_normals() {
+  if (face_count() > kMaxKeptNormals) return;
+  normals_.resize(face_count());
   for (const Mesh& mesh : meshes_) {
     std::vector<Vec3> area(mesh.triangles.size());
     const auto each = [&](const std::function<void(std::uint32_t)>& at) {
@@ -34,24 +52,15 @@ std::vector<std::array<Eigen::Vector3f, 3>> PictureScene::corner_normals() const
       });
     };
     each([&](std::uint32_t t) { area[t] = mesh.area_normal(t); });
-    each([&](std::uint32_t t) { out[mesh.first_face + t] = mesh.normals(t, area); });
+    const auto kept = [&area](std::uint32_t t) -> const Vec3& { return area[t]; };
+    each([&](std::uint32_t t) { normals_[mesh.first_face + t] = mesh.normals(t, kept); });
   }
-  return out;
 }
 
-std::array<Normal, 3> PictureScene::Mesh::normals(std::uint32_t triangle, std::span<const Vec3> area) const {
-  const Vec3& own = area[triangle];
-  std::array<Normal, 3> out;
-  out.fill(unit(own));
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::span<const std::uint32_t> fan = around->at(triangles[triangle][k]);
-    Vec3 sum = Vec3::Zero();
-    for (const std::uint32_t t : fan.first(std::min(fan.size(), kLargestFan))) {
-      if (is_smooth_between(area[t], own, kSmoothCosine)) sum += area[t];
-    }
-    if (sum.norm() > 0) out[k] = unit(sum);
-  }
-  return out;
+std::array<Normal, 3> PictureScene::normals(std::uint32_t face) const {
+  if (!normals_.empty()) return normals_[face];
+  const Mesh& mesh = owner_of(face);
+  return mesh.normals(face - mesh.first_face, [&mesh](std::uint32_t t) { return mesh.area_normal(t); });
 }
 
 PictureScene::PictureScene(const PreparedScene& scene)
@@ -65,7 +74,7 @@ PictureScene::PictureScene(const PreparedScene& scene)
       for (const Vec3& p : part_points_.back()) part_box_.extend(p);
     }
   }
-  normals_ = corner_normals();
+  keep_normals();
 }
 
 PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform& to_part) {
@@ -74,12 +83,12 @@ PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform
     for (Vec3& v : moved) v = to_part.point(v);
     add(head.surface, moved);
   }
-  normals_ = corner_normals();
+  keep_normals();
 }
 
 PictureScene::PictureScene(const Surface& surface) {
   add(surface, surface.mesh().vertices);
-  normals_ = corner_normals();
+  keep_normals();
 }
 
 void PictureScene::add(const Surface& surface, std::span<const Vec3> vertices) {

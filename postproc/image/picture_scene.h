@@ -31,8 +31,8 @@ class PictureScene {
     std::uint32_t a = 0, b = 0;
   };
 
-  /// Builds the list of a scene, which must outlive it. Cost: O(n), 36 bytes for each triangle, and 14 that the scene
-  /// keeps.
+  /// Builds the list of a scene, which must outlive it. Cost: O(n), 36 bytes for each triangle up to kMaxKeptNormals
+  /// triangles, and 14 that the scene keeps.
   explicit PictureScene(const PreparedScene& scene);
   /// Builds the list of heads at the place to which `to_part` moves them. The heads must outlive it.
   PictureScene(std::span<const HeadBody> heads, const RigidTransform& to_part);
@@ -46,8 +46,9 @@ class PictureScene {
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const;
   /// Returns the faces that reach into the view, and some that only come near it.
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const View& view) const;
-  /// Returns the unit normals at the three corners, smooth across edges that bend less than 35 degrees.
-  [[nodiscard]] const std::array<Eigen::Vector3f, 3>& normals(std::uint32_t face) const { return normals_[face]; }
+  /// Returns the unit normals at the three corners, smooth across edges that bend less than 35 degrees. They are kept for
+  /// all faces, or computed at each call for more than kMaxKeptNormals faces: pictures show a part of them.
+  [[nodiscard]] std::array<Eigen::Vector3f, 3> normals(std::uint32_t face) const;
   /// Returns the normal of the face alone; its length is twice the area.
   [[nodiscard]] Vec3 area_normal(std::uint32_t face) const;
   /// Returns the obstacle to which the face belongs. Requires a scene made of obstacles.
@@ -76,6 +77,9 @@ class PictureScene {
   [[nodiscard]] double part_size_mm() const { return part_box_.isEmpty() ? 10 : part_box_.diagonal().norm(); }
 
  private:
+  /// 72 MB of normals.
+  static constexpr std::uint32_t kMaxKeptNormals = 2'000'000;
+
   struct Mesh {
     std::span<const Vec3> vertices;
     std::span<const TriangleCorners> triangles;
@@ -86,12 +90,13 @@ class PictureScene {
       const TriangleCorners& c = triangles[triangle];
       return (vertices[c[1]] - vertices[c[0]]).cross(vertices[c[2]] - vertices[c[0]]);
     }
-    /// Computes the normals of a triangle's corners; `area` has the area_normal of each triangle.
-    [[nodiscard]] std::array<Eigen::Vector3f, 3> normals(std::uint32_t triangle, std::span<const Vec3> area) const;
+    /// Computes the normals of a triangle's corners; `area` returns the area_normal of a triangle.
+    template <class AreaNormals>
+    [[nodiscard]] std::array<Eigen::Vector3f, 3> normals(std::uint32_t triangle, const AreaNormals& area) const;
   };
 
   void add(const Surface& surface, std::span<const Vec3> vertices);
-  [[nodiscard]] std::vector<std::array<Eigen::Vector3f, 3>> corner_normals() const;
+  void keep_normals();
   void find_edges(const Mesh& mesh, const IndexedMesh& indices);
   [[nodiscard]] const Mesh& owner_of(std::uint32_t face) const;
 
@@ -100,7 +105,7 @@ class PictureScene {
   std::vector<Mesh> meshes_;
   std::deque<std::vector<Vec3>> moved_;  ///< moved vertices of heads
   std::vector<Edge> edges_;
-  std::vector<std::array<Eigen::Vector3f, 3>> normals_;
+  std::vector<std::array<Eigen::Vector3f, 3>> normals_;  // empty: there are more faces than kMaxKeptNormals
   std::vector<std::span<const Vec3>> part_points_;
   std::vector<std::uint32_t> first_faces_;  // first face of each obstacle; empty for heads
   Box3 part_box_;

@@ -163,7 +163,7 @@ SurfaceBuffer draw_surface(const PictureScene& scene, const View& view) {
 NormalsAt::Known NormalsAt::know(std::uint32_t face) const {
   Known known;
   known.face = face;
-  const std::array<Eigen::Vector3f, 3>& normals = scene_.normals(face);
+  const std::array<Eigen::Vector3f, 3> normals = scene_.normals(face);
   std::array<Eigen::Vector3f, 3> seen;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 normal = normals[k].cast<double>();

@@ -19,6 +19,8 @@ namespace gouge {
 /// names each run of planes by its first byte, its count and its width.
 class Payload {
  public:
+  /// Makes room for so many more bytes. Without room, the numbers of a large mesh are in memory twice while they grow.
+  void reserve(std::size_t bytes) { planes_.reserve(planes_.size() + bytes); }
   /// Adds `count` numbers below 256^bytes: number(i) for each i in turn. Returns their description for the JSON.
   template <typename Number>
   nlohmann::ordered_json add(std::size_t count, int bytes, const Number& number) {

@@ -69,6 +69,9 @@ Json write_corners(Payload& payload, const ViewerMesh& mesh) {
 }  // namespace
 
 Json write_mesh(Payload& payload, const ViewerMesh& mesh) {
+  constexpr std::size_t kBytesOfVertex = 12, kBytesOfTriangle = 12, kBytesOfEdge = 8;  // with the values of two paths
+  payload.reserve(kBytesOfVertex * mesh.positions.size() + kBytesOfTriangle * mesh.triangles.size() +
+                  kBytesOfEdge * mesh.edges.size());
   Box3 box;
   for (const Vec3& p : mesh.positions) box.extend(p);
   const Grid grid(box, 65535);

@@ -32,7 +32,7 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
   before.reserve(scene.vertex_count());
   for (std::uint32_t f = 0; f < faces; ++f) {
     const std::array<std::uint32_t, 3> corners = scene.corner_vertices(f);
-    const std::array<Eigen::Vector3f, 3>& normals = scene.normals(f);
+    const std::array<Eigen::Vector3f, 3> normals = scene.normals(f);
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t copy = latest[corners[k]];
