@@ -268,9 +268,14 @@ void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_bl
   if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_)) axis_written_ = record.implied_axis_local;
 }
 
-// Finds arcs and cycles that stay unchanged although the position before them changes.
+// Finds moves without a position of their own, and arcs and cycles that stay unchanged although the position before them
+// changes.
 std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::size_t last) const {
   const MotionRecord& record = records_[first];
+  if (record.form == PositionForm::unread) {
+    return make_error("write-move", "the statement repeats other moves (COPY); correct those that it repeats",
+                      path_.file, path_.moves[first].line);
+  }
   if (has_curve_left(first, last)) {
     return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
                       path_.moves[first].line);

@@ -226,5 +226,19 @@ TEST(WriteCorrected, WhatCannotBeChangedIsAnError) {
             "move 0 is named twice; expected one change for a move of the path");
 }
 
+TEST(WriteCorrected, RefusesToChangeMovesThatCopyRepeats) {
+  const Toolpath path = path_of(
+      "$$ CATIA APT VERSION 1.0\nGOTO/0,0,9\nINDEX/1\nGOTO/1,0,9\nGOTO/2,0,9\nINDEX/1,NOMORE\n"
+      "COPY/1,TRANSL,0,10,0,2\nGOTO/3,0,9\nFINI\n");
+  ASSERT_EQ(path.moves.size(), 8u);
+  for (const std::size_t copied : {3u, 4u, 5u, 6u}) {
+    const Result<std::string> text = write_corrected(path, {lift(path, copied, 1)});
+    ASSERT_FALSE(text.has_value()) << copied;
+    EXPECT_EQ(text.error().code, "write-move");
+    EXPECT_EQ(text.error().line, 7u);
+  }
+  EXPECT_TRUE(write_corrected(path, {lift(path, 7, 1)}).has_value()) << "the move after them has a position of its own";
+}
+
 }  // namespace
 }  // namespace gouge::write_corrected_test
