@@ -13,6 +13,8 @@
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/cure/find_cures.h"
+#include "postproc/cldata/language/dialect.h"
+#include "postproc/formats/write_corrected.h"
 
 namespace gouge {
 
@@ -117,7 +119,10 @@ Result<ReportParts> find_parts(const CheckArguments& arguments, const StickoutOp
   }
   if (arguments.finds_cures) {
     parts.cure_options = CureOptions();
+    parts.cure_options->tilt.reach = job.reach();
     parts.cures = find_cures(job.toolpath, result, run.setup(), *parts.cure_options, run.progress().call());
+    const bool is_corrected = !parts.cures.empty() && job.toolpath.dialect != gcode_dialect().id;
+    parts.cure_options->has_axes = !is_corrected || rewritable_moves(job.toolpath).has_axes;
   }
   return parts;
 }

@@ -251,6 +251,7 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
     return run.fail_with(*misfit, kExitGouges);
   const RewritableMoves rewritable = rewritable_moves(path);
   correct->rewritable = &rewritable;
+  correct->tilt.reach = run.job().reach();
   std::string text;
   const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {
     Result<std::string> written = write_corrected(path, changes);

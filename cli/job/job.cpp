@@ -19,6 +19,7 @@
 #include "lib/base/units.h"
 #include "lib/check/scene_reach.h"
 #include "lib/geom/pose.h"
+#include "lib/machine/joint_reach.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/mesh/chord_error.h"
 #include "postproc/formats/read_toolpath.h"
@@ -358,6 +359,11 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.stock_left = std::move(parts.stock_left);
   model.shown_stock = parts.shown_stock;
   return model;
+}
+
+std::shared_ptr<const PoseReach> Job::reach() const {
+  if (!machine) return nullptr;
+  return std::make_shared<const JointReach>(*machine, toolpath, options.tool_length_mm);
 }
 
 LengthUnit Job::stl_unit(const JobArguments& arguments) const {

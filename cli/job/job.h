@@ -11,6 +11,7 @@
 #include "cli/options/job_options.h"
 #include "lib/certify/check.h"
 #include "lib/machine/machine.h"
+#include "lib/motion/pose_reach.h"
 #include "postproc/report/report_model.h"
 #include "toolmodels/assembly.h"
 
@@ -61,6 +62,8 @@ struct Job {
   [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const;
   /// Returns the set-up of the check. `prepared` is the scene of the job; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
+  /// Returns the poses that the machine can take near the path; null: there is no machine. The job must outlive it.
+  [[nodiscard]] std::shared_ptr<const PoseReach> reach() const;
   /// Returns the requested unit, else that of the toolpath.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
   /// Returns the report of `result`. Both the job and `result` must outlive it.

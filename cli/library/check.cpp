@@ -7,6 +7,7 @@
 #include "cli/library/checked_path.h"
 #include "lib/base/units.h"
 #include "lib/correct/correct_path.h"
+#include "lib/machine/joint_reach.h"
 #include "postproc/formats/write_corrected.h"
 
 namespace gougecheck {
@@ -58,6 +59,9 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
   const gouge::Toolpath& path = checked.path.content().path;
   const gouge::RewritableMoves rewritable = gouge::rewritable_moves(path);
   options.rewritable = &rewritable;
+  if (checked.machine != nullptr)
+    options.tilt.reach = std::make_shared<const gouge::JointReach>(checked.machine->chosen.machine, path,
+                                                                   checked.machine->chosen.tool_length_mm);
   const gouge::CheckSetup setup = checked.setup();
   gouge::CheckResult before = gouge::check(path, setup);
   const auto rewrite = [&](const std::vector<gouge::PathChange>& changes) -> gouge::Result<gouge::Toolpath> {

@@ -25,8 +25,6 @@ namespace {
 
 std::string degrees(double rad) { return display_text(rad / kDegree_rad, 3) + " degrees"; }
 
-std::string millimetres(double mm) { return display_text(mm, 3) + " mm"; }
-
 std::string length_range_text(const StatedMachine& stated) {
   const double middle = stated.tool_length_mm.value_or(0), half = stated.tool_length_slack_mm;
   const std::string low = display_text(middle - half, 6);
@@ -277,24 +275,16 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
   const std::size_t line = path.moves[problem.move].line;
   switch (problem.kind) {
     case JointProblem::Kind::unreachable:
-      return make_warning("machine-unreachable", "no position of the rotary joints gives this tool axis", path.file,
-                          line);
-    case JointProblem::Kind::limit: {
-      const auto text = is_rotary(machine.joints[problem.joint]) ? degrees : millimetres;
-      return make_warning("machine-limit",
-                          joint + " would be at " + text(problem.value) + "; its limit is " + text(problem.limit),
-                          path.file, line);
-    }
+      return make_warning("machine-unreachable", problem_text(machine, problem), path.file, line);
+    case JointProblem::Kind::limit:
+      return make_warning("machine-limit", problem_text(machine, problem), path.file, line);
     case JointProblem::Kind::flip:
       return make_warning(
           "machine-flip",
           joint + " turns by " + degrees(problem.value) + " while the tool axis turns by " + degrees(problem.limit),
           path.file, line);
     case JointProblem::Kind::undecided:
-      return make_warning("machine-undecided",
-                          joint + " may turn by " + degrees(problem.value) +
-                              " or another way that is equally near; add a position between, or set limits",
-                          path.file, line);
+      return make_warning("machine-undecided", problem_text(machine, problem), path.file, line);
     case JointProblem::Kind::unwind:
       return make_warning("machine-unwind", joint + " turns back by " + degrees(problem.value), path.file, line);
   }
@@ -347,7 +337,7 @@ std::string open_reason(const Machine& machine, const JointProblem& problem, con
   switch (problem.kind) {
     case JointProblem::Kind::limit:
       return "the machine cannot be there: joint " + joint.name + " would be beyond its limit, " +
-             (is_rotary(joint) ? degrees : millimetres)(problem.limit);
+             joint_value_text(joint, problem.limit);
     case JointProblem::Kind::unreachable:
       return "the machine cannot be there: " + message;
     case JointProblem::Kind::undecided:

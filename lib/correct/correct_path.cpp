@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "lib/correct/laws.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr int kRounds = 6;  // number of rounds that take back worse changes, before all changes are taken back
 constexpr int kStockRounds = 4, kAllStockRounds = 12;  // number of searches anew because changes left other stock
 constexpr const char* kLeftForLaws = "a change here would make a move of the written file worse";
+constexpr const char* kLeavesOpen = "a change here would leave a move of the written file unchecked: ";
 constexpr const char* kLeavesStock = "a change here would bring a move of the written file into remaining stock";
 constexpr const char* kUnwritable = "the file's records do not allow this change: ";
 
@@ -29,6 +31,12 @@ std::vector<std::size_t> moves_of_line(const Toolpath& path, const std::vector<P
     if (path.moves[change.move].line == line || path.moves[next].line == line) moves.push_back(change.move);
   }
   return moves;
+}
+
+std::vector<KeptMove> kept_for(const std::vector<std::size_t>& moves, const std::string& reason) {
+  std::vector<KeptMove> kept;
+  for (const std::size_t i : moves) kept.push_back({i, reason});
+  return kept;
 }
 
 bool is_bad(const MoveVerdict& verdict) {
@@ -100,15 +108,15 @@ class LawfulSearch {
       Result<Toolpath> changed = rewrite_(correction.changes);
       if (!changed) {
         if (correction.changes.empty()) return changed.error();
-        take_back(correction, moves_of_line(path_, correction.changes, changed.error().line),
-                  kUnwritable + changed.error().message);
+        take_back(correction, kept_for(moves_of_line(path_, correction.changes, changed.error().line),
+                                       kUnwritable + changed.error().message));
         continue;
       }
       ChangedPath after{std::move(*changed), {}};
       after.result = check_moves(after.path, setup_, progress_);
       std::vector<std::size_t> worse =
           find_worse({&path_, &result_}, correction.changes, {&after.path, &after.result}, setup_.options);
-      std::string reason = kLeftForLaws;
+      std::string reason;
       if (worse.empty() && stock_) {
         StockLaws::Examined examined = stock_->examine(correction, {&after.path, &after.result}, progress_);
         if (!examined.sought.empty() && stock_rounds_ < kStockRounds && all_stock_rounds_ < kAllStockRounds) {
@@ -124,7 +132,7 @@ class LawfulSearch {
       }
       if (worse.empty()) return finish(std::move(correction), std::move(after));
       if (correction.changes.empty()) return changed_alone(worse.front());
-      take_back(correction, worse, reason);
+      take_back(correction, reason.empty() ? with_reasons(worse, correction, after.path) : kept_for(worse, reason));
       seek_from_the_start();
     }
   }
@@ -134,7 +142,8 @@ class LawfulSearch {
   void start() {
     proposer_ = std::make_unique<Proposer>(path_, stock_ ? stock_->sought() : result_, setup_, correct_, progress_,
                                            stock_ ? stock_->material() : nullptr);
-    for (const auto& [move, why] : kept_) proposer_->keep(move, why);
+    for (const std::vector<KeptMove>& together : kept_) proposer_->keep(together);
+    if (!tilts_given_up_.empty()) proposer_->give_up_tilts(tilts_given_up_);
     for (const std::size_t move : straight_) proposer_->make_straight(move);
     if (!all_kept_.empty()) proposer_->keep_all(all_kept_);
   }
@@ -147,27 +156,52 @@ class LawfulSearch {
     start();
   }
 
-  void take_back(const Correction& correction, const std::vector<std::size_t>& worse, const std::string& reason) {
+  /// Returns the reasons why moves are worse in the changed path. A machine that cannot run a move is named.
+  [[nodiscard]] std::vector<KeptMove> with_reasons(const std::vector<std::size_t>& worse, const Correction& correction,
+                                                   const Toolpath& after) const {
+    const std::vector<MovesAfter> spans = moves_after(path_.moves.size(), correction.changes);
+    std::vector<KeptMove> kept;
+    for (const std::size_t i : worse) {
+      std::string reason = kLeftForLaws;
+      for (std::size_t k = spans[i].first; k < std::min(spans[i].last, after.moves.size()); ++k) {
+        const std::string_view open = after.moves[k].not_checked_reason;
+        if (open.empty() || open == path_.moves[i].not_checked_reason) continue;
+        reason = kLeavesOpen + std::string(open);
+        break;
+      }
+      kept.push_back({i, std::move(reason)});
+    }
+    return kept;
+  }
+
+  void take_back(const Correction& correction, const std::vector<KeptMove>& worse) {
     // A worse move that no change touches is an effect of other changes. Only taking all of them back certainly ends
-    // that.
-    const bool is_touched = std::any_of(worse.begin(), worse.end(), [&](std::size_t i) {
+    // that. Tilts go first: they turn the joints of a machine, which all later moves depend on.
+    const bool is_touched = std::any_of(worse.begin(), worse.end(), [&](const KeptMove& kept) {
       return std::any_of(correction.changes.begin(), correction.changes.end(),
-                         [&](const PathChange& c) { return c.move == i || c.move + 1 == i; });
+                         [&](const PathChange& c) { return c.move == kept.move || c.move + 1 == kept.move; });
     });
     if (round_++ >= kRounds || !is_touched) {
-      all_kept_ = reason;
-      return proposer_->keep_all(reason);
+      const std::string reason = worse.empty() ? kLeftForLaws : worse.front().reason;
+      if (!proposer_->has_tilts()) {
+        all_kept_ = reason;
+        return proposer_->keep_all(reason);
+      }
+      round_ = 0;
+      tilts_given_up_ = reason;
+      return proposer_->give_up_tilts(reason);
     }
-    for (const std::size_t i : worse) {
-      const auto is_arc = [i](const PathChange& c) { return c.move == i && c.has_arc(); };
+    std::vector<KeptMove> kept;
+    for (const KeptMove& one : worse) {
+      const auto is_arc = [&](const PathChange& c) { return c.move == one.move && c.has_arc(); };
       if (std::any_of(correction.changes.begin(), correction.changes.end(), is_arc)) {
-        straight_.push_back(i);
-        proposer_->make_straight(i);
+        straight_.push_back(one.move);
+        proposer_->make_straight(one.move);
       } else {
-        kept_.emplace_back(i, reason);
-        proposer_->keep(i, reason);
+        kept.push_back(one);
       }
     }
+    if (!kept.empty()) kept_.push_back(proposer_->keep(kept));
   }
 
   [[nodiscard]] Diagnostic changed_alone(std::size_t move) const {
@@ -203,9 +237,9 @@ class LawfulSearch {
   const ProgressCall& progress_;
   std::unique_ptr<StockLaws> stock_;  // null: stock is not examined
   std::unique_ptr<Proposer> proposer_;
-  std::vector<std::pair<std::size_t, std::string>> kept_;
+  std::vector<std::vector<KeptMove>> kept_;  // moves that were taken back together
   std::vector<std::size_t> straight_;
-  std::string all_kept_;
+  std::string tilts_given_up_, all_kept_;  // reasons; empty: not done
   int round_ = 0, stock_rounds_ = 0, all_stock_rounds_ = 0;
 };
 

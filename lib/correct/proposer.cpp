@@ -55,7 +55,7 @@ void Proposer::rework() {
   corrector_ =
       std::make_unique<PathCorrector>(base != nullptr ? base->path : path_, base != nullptr ? base->result : result_,
                                       tools_, checker_, correct_, base != nullptr ? &base->origin : nullptr);
-  for (const auto& [move, reason] : kept_) keep_pieces(move, reason);
+  for (const KeptMove& kept : kept_) keep_pieces(kept.move, kept.reason);
   for (const Untrimmed& failed : trims_.failed) {
     for (std::size_t i = failed.first; i <= failed.last; ++i)
       keep_pieces(untrimmed() != nullptr ? untrimmed()->origin[i] : i, failed.reason);
@@ -139,48 +139,83 @@ std::size_t Proposer::deepest(std::size_t first, std::size_t last) const {
   return found;
 }
 
-void Proposer::keep(std::size_t move, const std::string& reason) {
+std::vector<KeptMove> Proposer::keep(const std::vector<KeptMove>& moves) {
+  std::map<std::size_t, std::string> tilts, trims;  // indices of those given up, with the reason of their first move
+  std::vector<KeptMove> dealt;
+  for (const KeptMove& kept : moves) {
+    const std::vector<std::size_t> in_trims = trims_of(kept.move);
+    const std::vector<std::size_t> in_tilts = in_trims.empty() ? tilts_of(kept.move) : std::vector<std::size_t>();
+    for (const std::size_t k : in_trims) trims.emplace(k, kept.reason);
+    for (const std::size_t k : in_tilts) tilts.emplace(k, kept.reason);
+    if (!in_trims.empty() || !in_tilts.empty()) dealt.push_back(kept);
+  }
+  if (dealt.empty()) {
+    for (const KeptMove& kept : moves) keep_as_it_is(kept);
+    return moves;
+  }
+  for (const KeptMove& kept : dealt) give_up_hole(kept.move);
+  for (const auto& [k, reason] : trims) give_up_trim(trims_.trims[k], reason);
+  for (const auto& [k, reason] : tilts)
+    plan_.failed.push_back({plan_.runs[k].first_wanted, plan_.runs[k].last_wanted, reason});
+  for (auto given_up = tilts.rbegin(); given_up != tilts.rend(); ++given_up)
+    plan_.runs.erase(plan_.runs.begin() + static_cast<std::ptrdiff_t>(given_up->first));
+  rework();
+  return dealt;
+}
+
+void Proposer::keep_as_it_is(const KeptMove& kept) {
+  give_up_hole(kept.move);
+  kept_.push_back(kept);
+  keep_pieces(kept.move, kept.reason);
+}
+
+void Proposer::give_up_hole(std::size_t move) {
   std::erase_if(holes_.lifted, [move](const HolePlan& hole) { return move + 1 >= hole.first && move <= hole.last; });
-  if (give_up_trim(move, reason) || give_up_tilt(move, reason)) return rework();
-  kept_.emplace_back(move, reason);
-  keep_pieces(move, reason);
+}
+
+void Proposer::give_up_tilts(const std::string& reason) {
+  for (const SmoothedRun& run : plan_.runs) plan_.failed.push_back({run.first_wanted, run.last_wanted, reason});
+  plan_.runs.clear();
+  rework();
 }
 
 void Proposer::keep_all(const std::string& reason) {
-  for (SmoothedRun& run : plan_.runs) plan_.failed.push_back({run.first_wanted, run.last_wanted, reason});
-  plan_.runs.clear();
   for (std::size_t i = 0; i < path_.moves.size(); ++i) not_trimmed_.emplace(i, reason);
-  rework();
-  for (std::size_t i = 0; i < path_.moves.size(); ++i) keep(i, reason);
+  give_up_tilts(reason);
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) keep_as_it_is({i, reason});
 }
 
 std::size_t Proposer::origin_of(std::size_t i) const { return straight_ ? straight_->origin[i] : i; }
 
-bool Proposer::give_up_tilt(std::size_t move, const std::string& reason) {
-  const auto is_of_move = [&](const SmoothedRun& run) {
+/// Returns the tilted run of a move; more than one if both runs end at it.
+std::vector<std::size_t> Proposer::tilts_of(std::size_t move) const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < plan_.runs.size(); ++k) {
     // A move with a tilted start belongs to the run too.
-    return std::ranges::any_of(run.positions, [&](const TiltedPosition& p) {
+    const bool is_in = std::ranges::any_of(plan_.runs[k].positions, [&](const TiltedPosition& p) {
       return origin_of(p.move) == move || (p.is_end && origin_of(p.move) + 1 == move);
     });
-  };
-  const auto found = std::ranges::find_if(plan_.runs, is_of_move);
-  if (found == plan_.runs.end()) return false;
-  plan_.failed.push_back({found->first_wanted, found->last_wanted, reason});
-  plan_.runs.erase(found);
-  return true;
+    if (is_in) found.push_back(k);
+  }
+  return found;
 }
 
-bool Proposer::give_up_trim(std::size_t move, const std::string& reason) {
+std::vector<std::size_t> Proposer::trims_of(std::size_t move) const {
   const ReworkedPath* const base = untrimmed();
   const auto origin = [&](std::size_t i) { return base != nullptr ? base->origin[i] : i; };
-  bool is_any = false;
-  for (const Trim& trim : trims_.trims) {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < trims_.trims.size(); ++k) {
     // A move whose start is above the path belongs to the trim too.
-    if (move < origin(trim.begin.move) || move > origin(trim.end.move)) continue;
-    is_any = true;
-    for (std::size_t i = origin(trim.begin.move); i <= origin(trim.end.move); ++i) not_trimmed_.emplace(i, reason);
+    const Trim& trim = trims_.trims[k];
+    if (move >= origin(trim.begin.move) && move <= origin(trim.end.move)) found.push_back(k);
   }
-  return is_any;
+  return found;
+}
+
+void Proposer::give_up_trim(const Trim& trim, const std::string& reason) {
+  const ReworkedPath* const base = untrimmed();
+  const auto origin = [&](std::size_t i) { return base != nullptr ? base->origin[i] : i; };
+  for (std::size_t i = origin(trim.begin.move); i <= origin(trim.end.move); ++i) not_trimmed_.emplace(i, reason);
 }
 
 void Proposer::keep_pieces(std::size_t move, const std::string& reason) {
@@ -207,8 +242,9 @@ void Proposer::add_tilts(Correction& correction) const {
   for (const UntiltedRun& run : plan_.failed) {
     correction.not_tilted.push_back({origin_of(run.first_wanted), origin_of(run.last_wanted), run.reason});
     for (Uncorrected& left : correction.uncorrected) {
-      if (left.move >= origin_of(run.first_wanted) && left.move <= origin_of(run.last_wanted))
-        left.reason = run.reason + "; " + left.reason;
+      const bool is_of_run = left.move >= origin_of(run.first_wanted) && left.move <= origin_of(run.last_wanted);
+      // A reason for both is stated once.
+      if (is_of_run && left.reason.find(run.reason) == std::string::npos) left.reason = run.reason + "; " + left.reason;
     }
   }
 }

@@ -15,6 +15,12 @@
 
 namespace gouge {
 
+/// A move that must not change, with the reason.
+struct KeptMove {
+  std::size_t move = 0;
+  std::string reason;
+};
+
 /// The steps that propose changes of a path, in their order. Curves that must change become chords. Runs are tilted,
 /// and stretches are left out. Positions that still gouge are shifted. Chords become arcs again if possible, and holes
 /// are lifted.
@@ -30,10 +36,14 @@ class Proposer {
   /// Makes the arc of a move straight in all later proposals.
   void make_straight(std::size_t move) { can_keep_arc_[move] = false; }
 
-  /// Keeps a move from being changed. If it belongs to a left-out stretch or a tilted run, that is given up; otherwise
-  /// the move stays as it is.
-  void keep(std::size_t move, const std::string& reason);
+  /// Keeps moves from being changed. Left-out stretches and tilted runs to which some of them belong are given up. Then
+  /// the other moves may change, because they may only be worse as an effect of these. If there are none, the moves stay
+  /// as they are. Returns the moves that have been dealt with.
+  std::vector<KeptMove> keep(const std::vector<KeptMove>& moves);
   void keep_all(const std::string& reason);
+
+  [[nodiscard]] bool has_tilts() const { return !plan_.runs.empty(); }
+  void give_up_tilts(const std::string& reason);
 
  private:
   void plan_tilting(const ProgressCall& progress);
@@ -47,8 +57,11 @@ class Proposer {
   [[nodiscard]] std::size_t deepest(std::size_t first, std::size_t last) const;
   /// Returns the move of the path of which move `i` of the plan is a piece.
   [[nodiscard]] std::size_t origin_of(std::size_t i) const;
-  [[nodiscard]] bool give_up_tilt(std::size_t move, const std::string& reason);
-  [[nodiscard]] bool give_up_trim(std::size_t move, const std::string& reason);
+  [[nodiscard]] std::vector<std::size_t> tilts_of(std::size_t move) const;
+  [[nodiscard]] std::vector<std::size_t> trims_of(std::size_t move) const;
+  void give_up_trim(const Trim& trim, const std::string& reason);
+  void give_up_hole(std::size_t move);
+  void keep_as_it_is(const KeptMove& kept);
   void keep_pieces(std::size_t move, const std::string& reason);
   void add_tilts(Correction& correction) const;
   void add_trims(Correction& correction) const;
@@ -68,7 +81,7 @@ class Proposer {
   TrimPlan trims_;                                  // trims of the path before them (untrimmed)
   std::map<std::size_t, std::string> not_trimmed_;  // moves of the path that must not be left out, and why
   std::unique_ptr<PathCorrector> corrector_;
-  std::vector<std::pair<std::size_t, std::string>> kept_;
+  std::vector<KeptMove> kept_;
 };
 
 }  // namespace gouge

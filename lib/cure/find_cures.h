@@ -16,6 +16,7 @@ struct CureOptions {
   double lift_step_mm = 0.01;  ///< lifts are multiples of this
   double max_lift_mm = 100;    ///< maximum lift that is tried
   TiltOptions tilt;
+  bool has_axes = true;  ///< the file states tool axes; if not, a correction tilts it only on request
 };
 
 /// The tilt that frees a finding.

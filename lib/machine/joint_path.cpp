@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
+#include "lib/base/units.h"
 #include "lib/machine/joint_plan.h"
 #include "lib/path/path_info.h"
 
@@ -17,11 +19,27 @@ constexpr double kSameTurn_rad = 1e-6;
 
 using Kind = JointProblem::Kind;
 
+const Joint& rotary_joint(const Machine& machine, std::size_t k) { return machine.joints[machine.rotary[k]]; }
+
 /// Returns whether both solutions of every tool axis turn the axis alike: (alpha, beta) and (alpha + 180, -beta) degrees.
 bool is_square(const Machine& machine) {
   const Vec3 &u = machine.joints[machine.rotary[0]].direction, &w = machine.joints[machine.rotary[1]].direction;
   const Vec3 z = machine.rest.rotation.col(2);
   return std::abs(u.dot(w)) < Tolerance::kSameDirection && u.cross(z).norm() < Tolerance::kSameDirection;
+}
+
+double turn_rad(const Machine& machine, const RotaryAngles& angles, const RotaryAngles& from, bool is_first) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    sum += std::abs(angles[k] - from[k]);
+    // Without angles before the preferred sign decides, and only then.
+    if (is_first && rotary_joint(machine, k).preference * angles[k] < 0) sum += kWholeTurn_rad;
+  }
+  return sum;
+}
+
+bool is_allowed(const Joint& of, double angle) {
+  return of.is_continuous || (angle >= of.min.value_or(angle) && angle <= of.max.value_or(angle));
 }
 
 class Chooser {
@@ -46,43 +64,6 @@ class Chooser {
   }
 
  private:
-  [[nodiscard]] const Joint& joint(std::size_t k) const { return machine_.joints[machine_.rotary[k]]; }
-
-  [[nodiscard]] double cost(const RotaryAngles& angles, const RotaryAngles& from) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-      sum += std::abs(angles[k] - from[k]);
-      // Without angles before the preferred sign decides, and only then.
-      if (!last_ && joint(k).preference * angles[k] < 0) sum += kWholeTurn_rad;
-    }
-    return sum;
-  }
-
-  /// The nearest angles of a position within the limits, and those of the other solution.
-  struct Candidates {
-    std::optional<RotaryAngles> best, other;
-  };
-
-  [[nodiscard]] Candidates candidates(const RotarySolutions& solutions, const RotaryAngles& from) const {
-    Candidates found;
-    for (const RotaryAngles& solution : solutions.all) {
-      RotaryAngles angles = solution;
-      if (solutions.is_pole) angles[0] = from[0];
-      bool is_within = true;
-      for (std::size_t k = 0; k < 2; ++k) {
-        const std::optional<double> turned = turn_within_limits(joint(k), angles[k], from[k]);
-        is_within = is_within && turned;
-        if (turned) angles[k] = *turned;
-      }
-      if (!is_within) continue;
-      if (!found.best || cost(angles, from) < cost(*found.best, from))
-        std::swap(found.best, found.other), found.best = angles;
-      else
-        found.other = angles;
-    }
-    return found;
-  }
-
   std::optional<RotaryAngles> nearest(const Vec3& axis, std::size_t move) {
     const RotarySolutions solutions = rotary_angles(machine_, axis);
     if (solutions.all.empty()) {
@@ -91,14 +72,14 @@ class Chooser {
     }
     if (branches_) return follow_branches(solutions, move);
     const RotaryAngles from = last_.value_or(RotaryAngles{0, 0});
-    auto [best, other] = candidates(solutions, from);
-    if (!best) note_limit(solutions.all, from, move);
+    auto [best, other] = angles_near(machine_, solutions, from, !last_);
+    if (!best) choice_.problems.push_back(exceeded_limit(machine_, solutions, from, move));
     if (best && plan_ != nullptr && (*plan_)[move] && !is_same(*best, *(*plan_)[move])) {
       other = best;
       best = *(*plan_)[move];
     }
     if (best && last_ && toolpath_.moves[move].has_start) {
-      if (const auto joint = undecided_joint(*best, other, from)) {
+      if (const auto joint = undecided_joint(machine_, {best, other}, from, kSameTurn_rad)) {
         note_undecided(move, *joint, (*best)[*joint] - from[*joint]);
         if (is_branch_needed_ && other && !is_same_turned(*best, *other)) branches_ = {*best, *other};
         return std::nullopt;
@@ -109,10 +90,10 @@ class Chooser {
 
   /// Follows both solutions from a position at which they were equally near, until they lead to the same angles.
   std::optional<RotaryAngles> follow_branches(const RotarySolutions& solutions, std::size_t move) {
-    const auto first = candidates(solutions, (*branches_)[0]).best,
-               second = candidates(solutions, (*branches_)[1]).best;
+    const auto first = angles_near(machine_, solutions, (*branches_)[0], !last_).best,
+               second = angles_near(machine_, solutions, (*branches_)[1], !last_).best;
     if (!first || !second) {
-      note_limit(solutions.all, (*branches_)[0], move);
+      choice_.problems.push_back(exceeded_limit(machine_, solutions, (*branches_)[0], move));
       return std::nullopt;
     }
     if (is_same_turned(*first, *second)) {
@@ -129,22 +110,6 @@ class Chooser {
     choice_.problems.push_back({Kind::undecided, move, machine_.rotary[joint], turn_rad, 0});
   }
 
-  /// Returns the joint that may as well turn otherwise: half a turn either way, or to the other solution. None: the
-  /// nearest turn is unique beyond rounding of the positions.
-  [[nodiscard]] std::optional<std::size_t> undecided_joint(const RotaryAngles& best,
-                                                           const std::optional<RotaryAngles>& other,
-                                                           const RotaryAngles& from) const {
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double by = best[k] - from[k];
-      if (std::abs(std::abs(by) - std::numbers::pi) > kSameTurn_rad) continue;
-      if (is_allowed(joint(k), best[k] - std::copysign(kWholeTurn_rad, by))) return k;
-    }
-    if (!other || std::abs(cost(*other, from) - cost(best, from)) > kSameTurn_rad) return std::nullopt;
-    for (std::size_t k = 0; k < 2; ++k)
-      if (std::abs((*other)[k] - best[k]) > kSameTurn_rad) return k;
-    return std::nullopt;
-  }
-
   /// Returns whether angles are the same but for whole turns.
   static bool is_same_turned(const RotaryAngles& a, const RotaryAngles& b) {
     return std::abs(std::remainder(a[0] - b[0], kWholeTurn_rad)) +
@@ -154,29 +119,6 @@ class Chooser {
 
   static bool is_same(const RotaryAngles& a, const RotaryAngles& b) {
     return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) <= Tolerance::kSameDirection;
-  }
-
-  [[nodiscard]] static bool is_allowed(const Joint& of, double angle) {
-    return of.is_continuous || (angle >= of.min.value_or(angle) && angle <= of.max.value_or(angle));
-  }
-
-  void note_limit(const std::vector<RotaryAngles>& solutions, const RotaryAngles& from, std::size_t move) {
-    // Takes the solution whose first joint beyond its limits exceeds them least.
-    JointProblem problem{Kind::limit, move, machine_.rotary[0], 0, 0};
-    double least = std::numeric_limits<double>::infinity();
-    for (const RotaryAngles& angles : solutions) {
-      for (std::size_t k = 0; k < 2; ++k) {
-        if (turn_within_limits(joint(k), angles[k], from[k])) continue;
-        const double value = std::remainder(angles[k], kWholeTurn_rad);
-        const double limit = value > joint(k).max.value_or(value) ? *joint(k).max : joint(k).min.value_or(value);
-        if (std::abs(value - limit) < least) {
-          least = std::abs(value - limit);
-          problem = {Kind::limit, move, machine_.rotary[k], value, limit};
-        }
-        break;
-      }
-    }
-    choice_.problems.push_back(problem);
   }
 
   void find_flip(std::size_t move, const RotaryAngles& from, const RotaryAngles& to) {
@@ -213,6 +155,78 @@ std::optional<double> turn_within_limits(const Joint& joint, double angle, doubl
   if (best > high) best -= kWholeTurn_rad * std::ceil((best - high) / kWholeTurn_rad);
   if (best < low) best += kWholeTurn_rad * std::ceil((low - best) / kWholeTurn_rad);
   return best > high ? std::nullopt : std::optional(best);
+}
+
+NearAngles angles_near(const Machine& machine, const RotarySolutions& solutions, const RotaryAngles& from,
+                       bool is_first) {
+  NearAngles found;
+  for (const RotaryAngles& solution : solutions.all) {
+    RotaryAngles angles = solution;
+    if (solutions.is_pole) angles[0] = from[0];
+    bool is_within = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::optional<double> turned = turn_within_limits(rotary_joint(machine, k), angles[k], from[k]);
+      is_within = is_within && turned;
+      if (turned) angles[k] = *turned;
+    }
+    if (!is_within) continue;
+    if (!found.best || turn_rad(machine, angles, from, is_first) < turn_rad(machine, *found.best, from, is_first))
+      std::swap(found.best, found.other), found.best = angles;
+    else
+      found.other = angles;
+  }
+  return found;
+}
+
+std::optional<std::size_t> undecided_joint(const Machine& machine, const NearAngles& near, const RotaryAngles& from,
+                                           double same_rad) {
+  const auto& [best, other] = near;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double by = (*best)[k] - from[k];
+    if (std::abs(std::abs(by) - std::numbers::pi) > same_rad) continue;
+    if (is_allowed(rotary_joint(machine, k), (*best)[k] - std::copysign(kWholeTurn_rad, by))) return k;
+  }
+  if (!other) return std::nullopt;
+  if (std::abs(turn_rad(machine, *other, from, false) - turn_rad(machine, *best, from, false)) > same_rad)
+    return std::nullopt;
+  for (std::size_t k = 0; k < 2; ++k)
+    if (std::abs((*other)[k] - (*best)[k]) > same_rad) return k;
+  return std::nullopt;
+}
+
+JointProblem exceeded_limit(const Machine& machine, const RotarySolutions& solutions, const RotaryAngles& from,
+                            std::size_t move) {
+  // Takes the solution whose first joint beyond its limits exceeds them least.
+  JointProblem problem{Kind::limit, move, machine.rotary[0], 0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (const RotaryAngles& angles : solutions.all) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Joint& joint = rotary_joint(machine, k);
+      if (turn_within_limits(joint, angles[k], from[k])) continue;
+      const double value = std::remainder(angles[k], kWholeTurn_rad);
+      const double limit = value > joint.max.value_or(value) ? *joint.max : joint.min.value_or(value);
+      if (std::abs(value - limit) < least) {
+        least = std::abs(value - limit);
+        problem = {Kind::limit, move, machine.rotary[k], value, limit};
+      }
+      break;
+    }
+  }
+  return problem;
+}
+
+std::string joint_value_text(const Joint& joint, double value) {
+  return is_rotary(joint) ? display_text(value / kDegree_rad, 3) + " degrees" : display_text(value, 3) + " mm";
+}
+
+std::string problem_text(const Machine& machine, const JointProblem& problem) {
+  const Joint& joint = machine.joints[problem.joint];
+  if (problem.kind == Kind::unreachable) return "no position of the rotary joints gives this tool axis";
+  if (problem.kind == Kind::undecided)
+    return "joint " + joint.name + " may turn by " + joint_value_text(joint, problem.value) +
+           " or another way that is equally near; add a position between, or set limits";
+  return "joint " + joint.name + " would be at " + joint_value_text(joint, problem.value) + "; its limit is " +
+         joint_value_text(joint, problem.limit);
 }
 
 JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath, bool is_turn_needed) {

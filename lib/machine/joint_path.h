@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lib/machine/kinematics.h"
@@ -24,6 +25,12 @@ struct JointProblem {
   double limit = 0;       ///< rad or mm: the limit; of a flip the turn of the tool axis
 };
 
+/// Returns a value of a joint as text: "31 degrees", "250 mm".
+[[nodiscard]] std::string joint_value_text(const Joint& joint, double value);
+/// Returns a problem of one position as text: "joint A would be at 31 degrees; its limit is 30 degrees". Requires a
+/// kind of a position: unreachable, limit or undecided.
+[[nodiscard]] std::string problem_text(const Machine& machine, const JointProblem& problem);
+
 struct JointChoice {
   JointPath path;
   std::vector<JointProblem> problems;  ///< in path order
@@ -32,6 +39,23 @@ struct JointChoice {
 
 /// Returns the turn of `angle` within the limits of a rotary joint that is nearest to `to`; none: no turn is within them.
 [[nodiscard]] std::optional<double> turn_within_limits(const Joint& joint, double angle, double to);
+
+/// Angles of a tool axis within the limits.
+struct NearAngles {
+  std::optional<RotaryAngles> best, other;  ///< those that turn least, and those of the other solution
+};
+
+/// Returns the angles of `solutions` that are nearest to `from`. If `is_first`, there are no angles before, and the
+/// preferred sign of a joint decides.
+[[nodiscard]] NearAngles angles_near(const Machine& machine, const RotarySolutions& solutions, const RotaryAngles& from,
+                                     bool is_first);
+/// Returns the rotary joint, 0 or 1, that may as well turn otherwise: half a turn either way, or to the other solution.
+/// None: the nearest turn is unique, even if angles are wrong by `same_rad`. Requires near.best.
+[[nodiscard]] std::optional<std::size_t> undecided_joint(const Machine& machine, const NearAngles& near,
+                                                         const RotaryAngles& from, double same_rad);
+/// Returns the limit that prevents all solutions. It is the one that is exceeded least.
+[[nodiscard]] JointProblem exceeded_limit(const Machine& machine, const RotarySolutions& solutions,
+                                          const RotaryAngles& from, std::size_t move);
 
 /// Chooses the rotary angles of a path as a post-processor does. Of both solutions and all turns within the limits it
 /// takes those nearest to the angles before. At a pole the first joint stays. If this leads to flips, or to joints that

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
@@ -11,6 +10,7 @@
 #include "lib/tilt/closed_contours.h"
 #include "lib/tilt/cut_path.h"
 #include "lib/tilt/smooth_tilts.h"
+#include "lib/tilt/untilted_reason.h"
 
 namespace gouge {
 namespace {
@@ -24,6 +24,26 @@ constexpr double kStraight_rad =
 
 double spacing_mm(const TiltOptions& options) {
   return std::clamp(options.blend_mm / kStepsPerBlend, kMinSpacing_mm, kMaxSpacing_mm);
+}
+
+/// Returns the largest tilt of a lattice. If the cone or the machine permits small tilts alone, a lattice over all tilts
+/// up to --max-tilt would have few of them.
+double widest_rad(const std::vector<TiltPosition>& positions, const TiltOptions& options) {
+  constexpr std::size_t kSamples = 16;
+  constexpr double kFew = 0.25;
+  if (!options.cone && options.reach == nullptr) return options.max_tilt_rad;
+  TiltTask task;
+  task.options = options;
+  const TiltSpace space(positions, task);
+  double widest = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const std::size_t i = k * (space.size() - 1) / (kSamples - 1);
+    for (const Tilt& direction : tilt_directions(options.freedom)) {
+      widest = std::max(widest, space.largest_permitted_rad(i, direction));
+      if (widest > kFew * options.max_tilt_rad) return options.max_tilt_rad;
+    }
+  }
+  return widest > 0 ? widest : options.max_tilt_rad;
 }
 
 class RunPlanner {
@@ -57,6 +77,7 @@ class RunPlanner {
     options.freedom = freedom;
     const std::vector<TiltPosition> positions =
         freedom == job_.options.freedom ? run_.positions : with_freedom(run_, freedom).positions;
+    options.max_tilt_rad = widest_rad(positions, options);
     std::optional<std::size_t> doubtful;
     std::vector<KnownTilts> known;
     for (const bool may_raise : {false, true}) {
@@ -72,7 +93,7 @@ class RunPlanner {
         contours_.learn(way->space, way->tilts);
         return true;
       }
-      if (!may_raise || found.blocked) reason = why_not(TiltSpace(positions, task), found);
+      if (!may_raise || found.blocked) reason = untilted_reason(job_, TiltSpace(positions, task), found);
       if (found.held_back) return false;  // raising the tip does not help
       doubtful = found.blocked;
     }
@@ -209,72 +230,6 @@ class RunPlanner {
       if ((tilts[k] - tilts[from] - share * (tilts[to] - tilts[from])).norm() > kStraight_rad) return false;
     }
     return space.may_turn(from, tilts[from], to, tilts[to]) && space.is_free_between(from, tilts[from], to, tilts[to]);
-  }
-
-  [[nodiscard]] std::string held_back_reason(const TiltSpace& space, std::size_t i) const {
-    const MoveVerdict verdict = space.verdict(i, Tilt::Zero());
-    const LengthUnit unit = job_.path.unit;
-    const std::string where = space[i].t > 0 ? "on line " : "at the beginning of line ";
-    return "a tilt would have to leave the tool as programmed " + where +
-           std::to_string(job_.path.moves[space[i].move].line) + ", and there the " +
-           body_name(verdict.witness ? verdict.witness->body : Body::cutter) + " is " +
-           display_text(verdict.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
-           " too deep";
-  }
-
-  /// The least deep verdict at some tilts of a position, and whether one of them is no gouge.
-  struct BestLooked {
-    MoveVerdict least;
-    bool is_free = false;
-  };
-
-  [[nodiscard]] BestLooked look_around(const TiltSpace& space, std::size_t i) const {
-    constexpr int kRings = 6, kAround = 12;
-    BestLooked best{space.verdict(i, Tilt::Zero())};
-    for (int ring = 1; ring <= kRings; ++ring) {
-      for (int k = 0; k < kAround; ++k) {
-        const double angle = k * 2 * std::numbers::pi / kAround;
-        const double tilt = ring * job_.options.max_tilt_rad / kRings;
-        if (job_.options.freedom == TiltFreedom::lead && k % (kAround / 2) != 0) continue;
-        if (job_.options.freedom == TiltFreedom::side && k % (kAround / 2) != kAround / 4) continue;
-        const Tilt looked = tilt * Tilt(std::cos(angle), std::sin(angle));
-        const auto& cone = job_.options.cone;
-        if (cone && angle_between_rad(space[i].axis_for(looked), cone->axis) > cone->half_angle_rad) continue;
-        const MoveVerdict verdict = space.verdict(i, looked);
-        best.is_free = best.is_free || verdict.state != MoveState::gouge;
-        if (verdict.state == MoveState::gouge && verdict.depth_mm < best.least.depth_mm) best.least = verdict;
-      }
-    }
-    return best;
-  }
-
-  /// Returns the position at which the tool is deepest as programmed.
-  [[nodiscard]] static std::size_t deepest(const TiltSpace& space) {
-    std::size_t worst = 0;
-    double depth_mm = -1;
-    for (std::size_t i = 0; i < space.size(); ++i) {
-      const MoveVerdict verdict = space.verdict(i, Tilt::Zero());
-      if (verdict.depth_mm <= depth_mm) continue;
-      depth_mm = verdict.depth_mm;
-      worst = i;
-    }
-    return worst;
-  }
-
-  [[nodiscard]] std::string why_not(const TiltSpace& space, const LatticeResult& found) const {
-    const std::string within = "within --max-tilt " + display_text(job_.options.max_tilt_rad / kDegree_rad, 3) +
-                               " degrees" + (job_.options.cone ? " and --axis-cone" : "");
-    if (found.held_back) return held_back_reason(space, *found.held_back);
-    const std::size_t place = found.blocked ? *found.blocked : deepest(space);
-    const BestLooked best = look_around(space, place);
-    if (!found.blocked && best.is_free)
-      return "no tilts " + within + " were found that are free at each position and between them";
-    const LengthUnit unit = job_.path.unit;
-    const Body body = best.least.witness ? best.least.witness->body : Body::holder;
-    return "no tilt " + within + " frees line " + std::to_string(job_.path.moves[space[place].move].line) +
-           ": at the best one looked at the " + body_name(body) + " is " +
-           display_text(best.least.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
-           " too deep";
   }
 
   const TiltJob& job_;

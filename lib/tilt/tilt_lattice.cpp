@@ -43,8 +43,7 @@ class Lattice {
         first_at_once_(near != nullptr ? 1 : static_cast<std::size_t>(steps / kCoarseSteps * (steps / kCoarseSteps))),
         proofs_(space) {
     const TiltOptions& options = space.task().options;
-    // Slightly smaller steps, so that the largest tilts are still within their margin.
-    const double step_rad = options.max_tilt_rad / steps * 0.999;
+    const double step_rad = space.largest_tilt_rad() / steps;
     const int across = options.freedom == TiltFreedom::both ? steps : 0;
     for (int x = -steps; x <= steps; ++x) {
       for (int y = -across; y <= across; ++y) {

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 
 #include "lib/geom/vec.h"
+#include "lib/motion/pose_reach.h"
 
 namespace gouge {
 
@@ -23,6 +25,8 @@ struct TiltOptions {
   double max_tilt_rad = std::numbers::pi / 6;  ///< from the programmed axis
   TiltFreedom freedom = TiltFreedom::both;
   std::optional<AxisCone> cone;  ///< none: any axis
+  /// The machine that must reach the tilted positions; null: any machine.
+  std::shared_ptr<const PoseReach> reach;
   /// Maximum turn of the axis on a motion. It does not apply where the programmed axis turns more.
   double max_turn_rad_per_mm = std::numeric_limits<double>::infinity();
   double max_turn_step_rad = std::numeric_limits<double>::infinity();  ///< maximum turn on one motion

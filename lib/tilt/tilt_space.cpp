@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "lib/base/best_first_search.h"
@@ -19,7 +20,6 @@ namespace {
 constexpr double kBend = 0.5;  // maximum error of the surface between two positions, as a share of the tolerance
 constexpr std::size_t kMaxRefusing = 24;
 constexpr int kMaxRaises = 12;
-constexpr double kLimitMargin_rad = 2e-4;  // margin of positions to the limits, for the motions between them
 constexpr double kSure_rad = 1e-7;
 constexpr int kMaxHalvings = 24;
 constexpr double kMaxShare = 0.97;  // share of the tolerance for a motion that is deeper than its share kMotionAimShare
@@ -42,6 +42,18 @@ Tilt TiltPosition::tilt_to(const Vec3& axis) const {
   const Tilt towards(axis.dot(first), axis.dot(second));
   const double across = towards.norm();
   return across > 0 ? Tilt(std::atan2(across, axis.dot(programmed.axis)) / across * towards) : Tilt(Tilt::Zero());
+}
+
+std::vector<Tilt> tilt_directions(TiltFreedom freedom) {
+  constexpr int kAround = 12;
+  std::vector<Tilt> directions;
+  for (int k = 0; k < kAround; ++k) {
+    if (freedom == TiltFreedom::lead && k % (kAround / 2) != 0) continue;
+    if (freedom == TiltFreedom::side && k % (kAround / 2) != kAround / 4) continue;
+    const double angle = k * 2 * std::numbers::pi / kAround;
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return directions;
 }
 
 TiltSpace::TiltSpace(std::vector<TiltPosition> positions, const TiltTask& task)
@@ -136,16 +148,60 @@ bool TiltSpace::stays_too_deep(std::size_t i, const Pose& kept, const RefusingPo
   });
 }
 
+double TiltSpace::largest_tilt_rad() const {
+  constexpr double kShare = 0.999, kLeastShare = 0.5, kMoreThanMargin = 1.01;
+  const double limit_rad = task_.options.max_tilt_rad;
+  return std::min(kShare * limit_rad,
+                  std::max(limit_rad - kMoreThanMargin * kLimitMargin_rad, kLeastShare * limit_rad));
+}
+
+bool TiltSpace::can_reach(std::size_t i, const Pose& pose) const {
+  const PoseReach* const reach = task_.options.reach.get();
+  return reach == nullptr || reach->can_reach(positions_[i].origin, positions_[i].programmed.axis, pose);
+}
+
+bool TiltSpace::is_permitted(std::size_t i, const Tilt& tilt) const {
+  if (!(tilt.norm() > 0)) return true;
+  if (tilt.norm() > task_.options.max_tilt_rad + kSure_rad) return false;
+  const auto& cone = task_.options.cone;
+  const Pose pose = kept_pose(i, tilt);
+  if (cone && angle_between_rad(pose.axis, cone->axis) > cone->half_angle_rad + kSure_rad) return false;
+  return can_reach(i, pose);
+}
+
+double TiltSpace::largest_permitted_rad(std::size_t i, const Tilt& direction) const {
+  constexpr int kSteps = 6, kLimitHalvings = 20;
+  const double step = task_.options.max_tilt_rad / kSteps;
+  int within_steps = kSteps;
+  while (within_steps > 0 && !is_permitted(i, within_steps * step * direction)) --within_steps;
+  double within = within_steps * step, beyond = within + step;
+  for (int k = 0; k < kLimitHalvings && within_steps < kSteps; ++k) {
+    const double middle = 0.5 * (within + beyond);
+    (is_permitted(i, middle * direction) ? within : beyond) = middle;
+  }
+  return within;
+}
+
+std::string TiltSpace::why_not_reached(std::size_t i, const Tilt& tilt) const {
+  const PoseReach* const reach = task_.options.reach.get();
+  if (reach == nullptr || !(tilt.norm() > 0)) return {};
+  return reach->why_not(positions_[i].origin, positions_[i].programmed.axis, kept_pose(i, tilt));
+}
+
 bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing) const {
   const TiltPosition& at = positions_[i];
   if (tilt.norm() > task_.options.max_tilt_rad - kLimitMargin_rad) return false;
   const auto& cone = task_.options.cone;
   if (cone && angle_between_rad(at.axis_for(tilt), cone->axis) > cone->half_angle_rad - kLimitMargin_rad) return false;
+  // Without a tilt the position stays as programmed, even at a limit.
+  const bool is_tilted = tilt.norm() > 0;
+  if (is_tilted && !can_reach(i, kept_pose(i, tilt))) return false;
   CheckOptions options = options_for(at.tolerance_share);
   if (refusing != nullptr && is_refused_by(*refusing, i, tilt)) return false;
   const std::optional<double> raised_mm = raise_mm(i, tilt, refusing);
   if (!raised_mm) return false;
   const Pose pose = raised_pose(i, tilt, *raised_mm);
+  if (*raised_mm > 0 && !can_reach(i, pose)) return false;
   if (refusing != nullptr && task_.may_raise && is_refused(pose, 0, options, *refusing)) return false;
   options.near_miss_mm = kAir_mm;
   options.gouge_gap_mm = kAnyGap_mm;

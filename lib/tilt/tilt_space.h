@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct TiltPosition {
   [[nodiscard]] bool stays_programmed() const { return given && given->isZero(0); }
 };
 
+/// Distance of the tilts of positions from the limits, for the motions between them.
+inline constexpr double kLimitMargin_rad = 2e-4;
+
 /// The constraints that every tilt of a run must meet.
 struct TiltTask {
   const ToolVariants* tool = nullptr;
@@ -51,6 +55,9 @@ struct TiltTask {
 /// Points of the part and of fixtures that were in the tool at refused tilts. Most are in the tool at other tilts too,
 /// which is a fast test. The points do not change the result.
 using RefusingPoints = std::vector<Witness>;
+
+/// Returns directions of tilt all around, or the two that the freedom allows. Unit vectors.
+[[nodiscard]] std::vector<Tilt> tilt_directions(TiltFreedom freedom);
 
 /// The free tilts at the positions of a run and the free motions between them. Any thread may call it; the results are
 /// always the same.
@@ -97,10 +104,23 @@ class TiltSpace {
   /// cannot.
   [[nodiscard]] bool holds_back(std::size_t i) const;
 
+  /// Returns the largest tilt that keeps the margin to --max-tilt.
+  [[nodiscard]] double largest_tilt_rad() const;
+
+  /// Returns whether a tilt is within --max-tilt and the cone, and the machine can reach it without a rise of the tip.
+  [[nodiscard]] bool is_permitted(std::size_t i, const Tilt& tilt) const;
+
+  /// Returns the largest permitted angle in a direction, a unit vector.
+  [[nodiscard]] double largest_permitted_rad(std::size_t i, const Tilt& direction) const;
+
+  /// Names the joint that keeps the machine from a tilt, with its limit; empty: none does.
+  [[nodiscard]] std::string why_not_reached(std::size_t i, const Tilt& tilt) const;
+
   /// Returns the obstacle to the tool at a tilt, and the depth of the gouge.
   [[nodiscard]] MoveVerdict verdict(std::size_t i, const Tilt& tilt) const;
 
  private:
+  [[nodiscard]] bool can_reach(std::size_t i, const Pose& pose) const;
   [[nodiscard]] bool stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const;
   [[nodiscard]] double largest_turn_rad(std::size_t i, std::size_t k) const;
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;

@@ -65,12 +65,14 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-std::string tilt_words(const TiltCure& tilt) {
+std::string tilt_words(const ReportModel& model, const TiltCure& tilt) {
   // The angle is rounded up, because the machine must be able to reach it.
   constexpr double kDecimals = 100;
   if (tilt.tilt_rad) {
     const double degrees = std::ceil(*tilt.tilt_rad / kDegree * kDecimals - Tolerance::kRounding) / kDecimals;
-    return "a tilt of up to " + display_text(degrees, 2) + " deg";
+    const bool has_axes = !model.cure_options || model.cure_options->has_axes;
+    return "a tilt of up to " + display_text(degrees, 2) + " deg" +
+           (has_axes ? "" : " (the file states no tool axes: 'correct' tilts it only with --allow-multax)");
   }
   return "no tilt (" + tilt.reason + ")";
 }
@@ -115,7 +117,7 @@ const FindingCures* cures_of(const ReportModel& model, std::size_t event) {
 }
 
 std::string cure_text(const ReportModel& model, const FindingCures& cures) {
-  return tilt_words(cures.tilt) + "; " + lift_words(model, cures.lift);
+  return tilt_words(model, cures.tilt) + "; " + lift_words(model, cures.lift);
 }
 
 }  // namespace gouge

@@ -129,5 +129,87 @@ TEST(Tilt, ThatIsNotFoundIsSaidAndLifted) {
   EXPECT_NE(lifted.ran.err.find("[not-tilted]"), std::string::npos) << lifted.ran.err;
 }
 
+/// A ball of 6 mm, stick-out 50 mm, on a block beside a wall that its holder of 32 mm meets by 1 mm. A tilt of 1.23
+/// degrees frees it. The machine turns the part by C on A.
+class MachineBesideWall : public testing::Test {
+ protected:
+  MachineBesideWall() {
+    write_text(folder_ + "/block.stl", box_stl({-50, 0, 0}, {150, 50, 20}));
+    write_text(folder_ + "/wall.stl", box_stl({0, 40, 20}, {100, 60, 100}));
+    write_text(folder_ + "/tools.json", R"({"units":"mm","tools":[{"number":2,"cutter":{"shape":"ball","diameter":6,
+      "length":20},"shank":[{"lower_diameter":6,"upper_diameter":6,"length":30}],
+      "holder":[{"lower_diameter":32,"upper_diameter":32,"length":50}]}]})");
+    write_text(folder_ + "/machine.json", R"({"name":"C on A","source":"test","joints":[
+      {"name":"C","type":"rotary","side":"table","direction":[0,0,1],"continuous":true,"point":[0,0,0]},
+      {"name":"A","type":"rotary","side":"table","direction":[1,0,0],"point":[0,0,0],"min":-120,"max":120},
+      {"name":"X","type":"linear","side":"head","direction":[1,0,0]},
+      {"name":"Y","type":"linear","side":"head","direction":[0,1,0]},
+      {"name":"Z","type":"linear","side":"head","direction":[0,0,1]}],
+      "control":{"name":"test","rapid_law":"axis"}})");
+    std::string path = "UNITS/MM\nMULTAX\nLOADTL/2\nFEDRAT/500,MMPM\n";
+    for (int x = -40; x <= 140; x += 10) path += "GOTO/" + std::to_string(x) + ",25,20,0,0,1\n";
+    write_text(folder_ + "/pass.apt", path);
+  }
+
+  [[nodiscard]] Corrected correct_with(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"correct",  "pass.apt",    "--part",     "block.stl",   "--part",
+                                      "wall.stl", "--tools",     "tools.json", "-o",          "out.apt",
+                                      "--json",   "result.json", "--machine",  "machine.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    Corrected corrected;
+    corrected.ran = run_gougecheck(folder_, words);
+    corrected.correction = Json::parse(text_of(folder_ + "/result.json")).at("correction");
+    return corrected;
+  }
+
+  std::string folder_ = fresh_folder();
+};
+
+// With A below 0 the tool leans away from the wall after half a turn of C, or forward as well.
+TEST_F(MachineBesideWall, IsTiltedWithinTheLimitsOfItsJoints) {
+  for (const std::string limit : {"A=-120..120", "A=0..2", "A=-1..1.24", "A=-120..1", "A=-120..0", "C=-10..10"}) {
+    const Corrected tilted = correct_with({"--feed-law", "axis", "--joint-limit", limit});
+    EXPECT_EQ(tilted.ran.exit_status, 0) << limit << tilted.ran.out << tilted.ran.err;
+    EXPECT_GT(changes_by(tilted, "tilt"), 0U) << limit;
+  }
+}
+
+TEST_F(MachineBesideWall, IsLiftedIfAJointCannotTurnSoFar) {
+  for (const std::string law : {"axis", "vector", "documented"}) {
+    for (const std::string limit : {"A=-1..1", "A=0..0.5"}) {
+      const Corrected lifted = correct_with({"--feed-law", law, "--joint-limit", limit});
+      EXPECT_EQ(lifted.ran.exit_status, 0) << limit << lifted.ran.out << lifted.ran.err;
+      EXPECT_EQ(changes_by(lifted, "tilt"), 0U);
+      const std::string& said = lifted.ran.err;
+      EXPECT_NE(said.find("1.23 degrees would free it, but joint A would be at 1.2"), std::string::npos) << said;
+      const std::string most = limit == "A=0..0.5" ? "0.5" : "1";
+      EXPECT_NE(said.find("; its limit is " + most + " degrees"), std::string::npos) << said;
+    }
+  }
+}
+
+// A lift needs Z above 30 mm, and a tilt moves the part by A.
+TEST_F(MachineBesideWall, NamesALinearJointThatAllowsNoLift) {
+  const Corrected left = correct_with({"--feed-law", "axis", "--joint-limit", "A=-1..1", "--zero", "0,0,0",
+                                       "--tool-length", "50", "--joint-limit", "Z=..71"});
+  EXPECT_EQ(left.ran.exit_status, 1) << left.ran.out << left.ran.err;
+  ASSERT_FALSE(left.correction.at("uncorrected").empty());
+  for (const Json& one : left.correction.at("uncorrected")) {
+    const std::string reason = one.at("reason");
+    const std::size_t first = reason.find("joint Z would be beyond its limit, 71 mm");
+    EXPECT_NE(first, std::string::npos) << reason;
+    EXPECT_EQ(reason.find("joint Z", first + 1), std::string::npos) << reason;
+    EXPECT_NE(reason.find("joint A would be at 1.2"), std::string::npos) << reason;
+  }
+}
+
+TEST_F(MachineBesideWall, IsNotTiltedBeyondALimitOfALinearJoint) {
+  // The tip moves by A about the zero: Y rises from 25 to 25.48 mm.
+  const Corrected lifted = correct_with({"--feed-law", "axis", "--zero", "0,0,0", "--tool-length", "50",
+                                         "--joint-limit", "Y=..25.1", "--joint-limit", "Z=..500"});
+  EXPECT_EQ(lifted.ran.exit_status, 0) << lifted.ran.out << lifted.ran.err;
+  for (const Json& change : lifted.correction.at("changes")) EXPECT_NE(change.at("strategy"), "tilt");
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::tilt_test

@@ -195,6 +195,11 @@ TEST(CureText, SaysTheTiltRoundedUpAndTheLiftOrWhyThereIsNone) {
   EXPECT_EQ(cure_text(report.model, *cures_of(report.model, 0)),
             "a tilt of up to 5.73 deg; a lift of 2.5 mm along the tool axis, proved; whether less is enough, from 2.41 "
             "mm on, is not certified");
+  report.model.cure_options->has_axes = false;
+  EXPECT_TRUE(cure_text(report.model, *cures_of(report.model, 0))
+                  .starts_with("a tilt of up to 5.73 deg (the file states no tool axes: 'correct' tilts it only with "
+                               "--allow-multax); a lift"));
+  report.model.cure_options->has_axes = true;
   EXPECT_EQ(cures_of(report.model, 2), nullptr);
   EXPECT_NE(findings_text(report.model).find("\n  cured by a tilt of up to 5.73 deg; "), std::string::npos);
 }
