@@ -13,7 +13,6 @@
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/cure/find_cures.h"
-#include "postproc/cldata/language/dialect.h"
 #include "postproc/formats/write_corrected.h"
 
 namespace gouge {

@@ -149,10 +149,10 @@ bool TiltSpace::stays_too_deep(std::size_t i, const Pose& kept, const RefusingPo
 }
 
 double TiltSpace::largest_tilt_rad() const {
-  constexpr double kShare = 0.999, kLeastShare = 0.5, kMoreThanMargin = 1.01;
+  constexpr double kShare = 0.999, kMinShare = 0.5, kMarginAndRounding = 1.01;
   const double limit_rad = task_.options.max_tilt_rad;
   return std::min(kShare * limit_rad,
-                  std::max(limit_rad - kMoreThanMargin * kLimitMargin_rad, kLeastShare * limit_rad));
+                  std::max(limit_rad - kMarginAndRounding * kLimitMargin_rad, kMinShare * limit_rad));
 }
 
 bool TiltSpace::can_reach(std::size_t i, const Pose& pose) const {
@@ -170,12 +170,12 @@ bool TiltSpace::is_permitted(std::size_t i, const Tilt& tilt) const {
 }
 
 double TiltSpace::largest_permitted_rad(std::size_t i, const Tilt& direction) const {
-  constexpr int kSteps = 6, kLimitHalvings = 20;
+  constexpr int kSteps = 6, kHalvings = 20;
   const double step = task_.options.max_tilt_rad / kSteps;
   int within_steps = kSteps;
   while (within_steps > 0 && !is_permitted(i, within_steps * step * direction)) --within_steps;
   double within = within_steps * step, beyond = within + step;
-  for (int k = 0; k < kLimitHalvings && within_steps < kSteps; ++k) {
+  for (int k = 0; k < kHalvings && within_steps < kSteps; ++k) {
     const double middle = 0.5 * (within + beyond);
     (is_permitted(i, middle * direction) ? within : beyond) = middle;
   }

@@ -20,6 +20,7 @@ constexpr int kRings = 6;
 // Tilts beyond the limits: the first one, the factor to the next, and the largest one.
 constexpr double kFirstTilt_rad = 0.25 * kDegree_rad, kNextTilt = 1.5, kLastTilt_rad = 89 * kDegree_rad;
 constexpr int kTiltHalvings = 10;
+constexpr double kBeside_rad = 0.02;
 constexpr double kSame_mm = 1e-4;  // depths that differ by less are equal
 constexpr std::size_t kPositionsPerChunk = 4;
 
@@ -90,7 +91,7 @@ class Examiner {
     return {is_allowed ? 0 : verdict.depth_mm, body, tilt};
   }
 
-  /// Returns the best of the tilts looked at, or the first one that lacks no more than `enough_mm`.
+  /// Returns the best of some tilts, or the first one that lacks no more than `enough_mm`.
   [[nodiscard]] Missing best_at(std::size_t i, Missing best, double enough_mm) const {
     for (const Tilt& direction : directions_) {
       const double most = space_.largest_permitted_rad(i, direction);
@@ -176,8 +177,10 @@ class Examiner {
     std::vector<Tilt> looked;
     if (worst.best.tilt.norm() > 0) looked.emplace_back(worst.best.tilt.normalized());
     looked.insert(looked.end(), directions_.begin(), directions_.end());
+    // Beside the directions, because two turns of a joint may be equally near in them.
+    const Eigen::Rotation2Dd beside(kBeside_rad);
     for (const Tilt& direction : looked) {
-      const std::string joint = space_.why_not_reached(worst.position, most * direction);
+      const std::string joint = space_.why_not_reached(worst.position, most * (beside * direction));
       if (!joint.empty()) return "; a larger tilt is out of reach: " + joint;
     }
     return {};

@@ -135,7 +135,7 @@ class MachineBesideWall : public testing::Test {
  protected:
   MachineBesideWall() {
     write_text(folder_ + "/block.stl", box_stl({-50, 0, 0}, {150, 50, 20}));
-    write_text(folder_ + "/wall.stl", box_stl({0, 40, 20}, {100, 60, 100}));
+    write_text(folder_ + "/wall.stl", box_stl({0, 40, 20}, {100, 60, 88}));
     write_text(folder_ + "/tools.json", R"({"units":"mm","tools":[{"number":2,"cutter":{"shape":"ball","diameter":6,
       "length":20},"shank":[{"lower_diameter":6,"upper_diameter":6,"length":30}],
       "holder":[{"lower_diameter":32,"upper_diameter":32,"length":50}]}]})");
@@ -188,7 +188,7 @@ TEST_F(MachineBesideWall, IsLiftedIfAJointCannotTurnSoFar) {
   }
 }
 
-// A lift needs Z above 30 mm, and a tilt moves the part by A.
+// A lift by 18 mm needs Z at 88 mm: 20, the tool and the lift.
 TEST_F(MachineBesideWall, NamesALinearJointThatAllowsNoLift) {
   const Corrected left = correct_with({"--feed-law", "axis", "--joint-limit", "A=-1..1", "--zero", "0,0,0",
                                        "--tool-length", "50", "--joint-limit", "Z=..71"});
@@ -204,9 +204,9 @@ TEST_F(MachineBesideWall, NamesALinearJointThatAllowsNoLift) {
 }
 
 TEST_F(MachineBesideWall, IsNotTiltedBeyondALimitOfALinearJoint) {
-  // The tip moves by A about the zero: Y rises from 25 to 25.48 mm.
+  // A tilt by A about the zero raises Y from 25 to 25.48 mm. With C turned by half a turn Y is below 0.
   const Corrected lifted = correct_with({"--feed-law", "axis", "--zero", "0,0,0", "--tool-length", "50",
-                                         "--joint-limit", "Y=..25.1", "--joint-limit", "Z=..500"});
+                                         "--joint-limit", "Y=24.9..25.1", "--joint-limit", "Z=..500"});
   EXPECT_EQ(lifted.ran.exit_status, 0) << lifted.ran.out << lifted.ran.err;
   for (const Json& change : lifted.correction.at("changes")) EXPECT_NE(change.at("strategy"), "tilt");
 }
