@@ -42,6 +42,7 @@ struct Verification {
   std::optional<AttackResult> stock;             ///< none: the check had no stock
   bool has_excess = false;                       ///< the result states material left on the parts
   bool has_heads = false;
+  bool is_placement_open = false;  ///< whether path and part fit depends on clean moves, which the result does not list
 };
 
 /// The certificate of a result. Both texts must outlive the verification.

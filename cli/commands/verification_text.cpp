@@ -27,7 +27,9 @@ std::string refutation(const Verification::Refuted& refuted, const ClaimedResult
 }
 
 std::string verified_text(const Verification& v) {
-  std::string text = "verified: the inputs are those of the result (SHA-256)\n";
+  std::string text =
+      "verified: the inputs are those of the result (SHA-256)\n"
+      "verified: its findings, totals, tools, motions and facts are those of its moves and inputs\n";
   if (v.witnesses > 0)
     text += "verified: " + count_text(v.witnesses, "witness", "witnesses") +
             " (point on its triangle, pose, depth, side, way out)\n";
@@ -101,6 +103,7 @@ std::vector<std::string> uncovered_parts(const Verification& v) {
         std::to_string(v.without_stock_proof.front()) + ")");
   if (v.outside.unexamined > 0)
     add("whether " + moves(v.outside.unexamined) + " of tools with a thin body are outside of all solids");
+  if (v.is_placement_open) add("whether the path fits the part, which depends on depths of clean moves");
   if (v.has_excess) add("the material that the result states to be left on the parts");
   return parts;
 }

@@ -25,9 +25,11 @@ Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& res
                         input.role + " that was checked";
       return error;
     }
-    if ("sha256:" + sha256_of(file->bytes) == input.checksum) continue;
+    const bool is_same = "sha256:" + sha256_of(file->bytes) == input.checksum;
+    if (is_same && file->bytes.size() == input.bytes) continue;
     Verification::Refuted one;
-    one.what = "the " + input.role + " " + input.name + " is not the file that was checked (its SHA-256 differs)";
+    one.what = "the " + input.role + " " + input.name + " is not the file that was checked (its " +
+               (is_same ? "size" : "SHA-256") + " differs)";
     changed.push_back(std::move(one));
   }
   return changed;

@@ -14,6 +14,7 @@
 #include "lib/base/units.h"
 #include "postproc/record/read_record.h"
 #include "postproc/record/words.h"
+#include "postproc/result/stored_result.h"
 
 namespace gouge {
 namespace {
@@ -119,6 +120,7 @@ class ClaimTaker {
     if (input.name.empty() || input.name.find('\0') != std::string::npos) field.at("name").fail("the name of a file");
     const std::string name = found_at(input.name, file_);
     result_.inputs.push_back({role, name, input.bytes, input.checksum});
+    found_inputs_[input.name] = name;
     if (role == "toolpath") a.path = name;
     if (role == "part") a.parts.push_back(name);
     if (role == "fixture") a.fixtures.push_back(name);
@@ -154,9 +156,17 @@ class ClaimTaker {
     repeat_options(a, job_options(), given);
     repeat_options(a.joints, joint_options(), given);
     if (!machine.empty()) a.machine = machine;
+    for (std::string& assumed : a.assumed) assumed = at_found_object(assumed);
     take_stock(given);
     take_limits("part", Against::part, named_parts_);
     take_limits("fixture", Against::fixture, named_fixtures_);
+  }
+
+  /// Returns a fact of --assume whose object is named as the file of an input was found.
+  [[nodiscard]] std::string at_found_object(const std::string& assumed) const {
+    const std::size_t object = assumed.find('=') + 1;
+    const auto found = found_inputs_.find(assumed.substr(object));
+    return object == 0 || found == found_inputs_.end() ? assumed : assumed.substr(0, object) + found->second;
   }
 
   template <typename Given>
@@ -205,7 +215,6 @@ class ClaimTaker {
     claim.depth_upper_mm = move.depth_upper_mm;
     claim.clearance_mm = move.clearance_mm;
     if (move.witness) claim.witness = witness(*move.witness);
-    result_.lines[move.move] = move.line;
     result_.largest_overcut_mm = std::max(result_.largest_overcut_mm, move.overcut_mm.value_or(0));
     if (!result_.claims.emplace(move.move, claim).second) result_.names_a_move_twice = true;
   }
@@ -230,8 +239,9 @@ class ClaimTaker {
   const ResultRecord& record_;
   std::vector<std::string> named_parts_, named_fixtures_;
   std::string stock_file_;
-  std::map<std::string, std::string> found_;   // names of earlier programs and their tools: where they were found
-  std::map<std::string, std::size_t> meshes_;  // by role and name: its index among the meshes of its kind
+  std::map<std::string, std::string> found_;         // names of earlier programs and their tools: where they were found
+  std::map<std::string, std::string> found_inputs_;  // the same of all inputs
+  std::map<std::string, std::size_t> meshes_;        // by role and name: its index among the meshes of its kind
   ClaimedResult result_;
 };
 
@@ -332,6 +342,8 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
   ClaimedResult result = ClaimTaker(file, JsonField(read->json.root, errors), read->record).take();
   if (errors.first) return *errors.first;
   result.digest = check_digest(bytes);
+  if (const auto wrong = find_contradiction(file, *read))
+    result.malformed = "line " + std::to_string(wrong->line) + " contradicts another: " + wrong->message;
   CheckOptions check = result.options.check;
   const std::vector<MeshLimit> limits = result.options.limits;
   const Result<JobOptions> understood = understand(result.arguments);
@@ -340,6 +352,7 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
   result.options = *understood;
   result.options.check = check;
   result.options.limits = limits;
+  result.record = std::move(read->record);
   return result;
 }
 
@@ -351,6 +364,7 @@ std::vector<std::string> find_contradictions(const ClaimedResult& result) {
     if (claim.state == ClaimedState::clean)
       all.push_back("it lists move " + std::to_string(move) + " and calls it clean");
   }
+  if (!result.malformed.empty()) all.push_back(result.malformed);
   if (result.names_a_move_twice) all.push_back("it names a move twice");
   compare_totals(result, all);
   compare_findings(result, all);

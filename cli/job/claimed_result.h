@@ -30,9 +30,8 @@ struct ClaimedResult {
   std::vector<std::string> open_facts;                       ///< assumptions that the result calls open
   std::vector<std::string> hidden_facts;  ///< contradicted or unknown assumptions that it does not call open
   double mm_per_unit = 1;
-  TotalsRecord totals;                       ///< as the result states them, independent of the toolpath
-  std::map<std::size_t, MoveClaim> claims;   ///< claims of all moves that are not clean
-  std::map<std::size_t, std::size_t> lines;  ///< lines of these moves
+  TotalsRecord totals;                      ///< as the result states them, independent of the toolpath
+  std::map<std::size_t, MoveClaim> claims;  ///< claims of all moves that are not clean
   bool names_a_move_twice = false;
   DigestState digest = DigestState::missing;
   double largest_overcut_mm = 0;  ///< of all moves
@@ -42,6 +41,8 @@ struct ClaimedResult {
     std::size_t first_move = 0, last_move = 0, worst_move = 0;
   };
   std::vector<Finding> findings;
+  std::string malformed;  ///< a value that contradicts another, so that other commands refuse it; empty: none
+  ResultRecord record;    ///< all of it, with the names of files as stated
 
   /// Returns one claim for each move of a path.
   [[nodiscard]] std::vector<MoveClaim> claims_of(std::size_t path_moves) const;

@@ -212,12 +212,12 @@ OptionRows<JobArguments> check_rows() {
        .help = "State a fact that the inputs do not establish (repeatable): " + subject_names() +
                "; tool=T3 states it for one of several objects",
        .scope = Scope::project,
-       .recorded = Recorded::shown},
+       .recorded = Recorded::repeated},
       {.name = "--strict",
        .field = &A::is_strict,
        .help = "Allow no defaults: a path is clean only if every fact is established",
        .scope = Scope::project,
-       .recorded = Recorded::shown},
+       .recorded = Recorded::repeated},
       {.name = "--warnings-as-errors",
        .field = &A::has_warnings_as_errors,
        .help = "Allow no warnings: a path is clean only if the result has no warning, and otherwise the exit "

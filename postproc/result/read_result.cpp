@@ -138,15 +138,19 @@ std::optional<Diagnostic> find_wrong_digest(const std::string& file, std::string
 
 }  // namespace
 
+std::optional<Diagnostic> find_contradiction(const std::string& file, const ReadRecord& read) {
+  JsonErrors errors{file, "result-field", &read.json.lines};
+  RecordJudge(JsonField(read.json.root, errors), read.record).judge();
+  return errors.first;
+}
+
 Result<StoredResult> read_result(const std::string& file, std::string_view bytes) {
   Result<ReadRecord> read = read_record(file, bytes);
   const std::optional<Diagnostic> edited = find_wrong_digest(file, bytes);
   const bool is_result = read || read.error().code == "result-field";
   if (is_result && edited) return *edited;
   if (!read) return read.error();
-  JsonErrors errors{file, "result-field", &read->json.lines};
-  RecordJudge(JsonField(read->json.root, errors), read->record).judge();
-  if (errors.first) return *errors.first;
+  if (const auto wrong = find_contradiction(file, *read)) return *wrong;
   StoredResult result{file, std::move(read->record), {}, {}};
   result.options = options_of(result.record);
   std::ranges::copy_if(result.record.events, std::back_inserter(result.findings),

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lib/base/result.h"
+#include "postproc/record/read_record.h"
 #include "postproc/record/result_record.h"
 
 // A result file that is read back for comparisons and acceptances: its record, verified by its digest, and its
@@ -56,6 +58,9 @@ struct StoredResult {
 /// Returns a finding without its location, in the unit of its result. An example is "0.213 mm cutter T1 at (12.3, 4.5,
 /// 6.7), move 118".
 [[nodiscard]] std::string stored_finding_text(const StoredResult& result, const EventRecord& finding);
+
+/// Returns the error about a value of a record that contradicts another; none if they agree. `file` is its name.
+[[nodiscard]] std::optional<Diagnostic> find_contradiction(const std::string& file, const ReadRecord& read);
 
 /// Reads the bytes of `file`.
 /// Errors, with the line: those of read_record. Also result-format (an older version lacks necessary data),
