@@ -45,6 +45,19 @@ gouge::ToolFacts facts_of(const gouge::ToolAssembly& tool) {
   return facts;
 }
 
+/// Returns the unit in which all meshes of files were read; mm if there are several units, or no files.
+gouge::LengthUnit unit_of_files(const Scene& scene) {
+  std::optional<gouge::LengthUnit> unit;
+  for (const auto& meshes : {scene.parts(), scene.fixtures()}) {
+    for (const Mesh& mesh : meshes) {
+      if (mesh.content().file.name.empty()) continue;
+      if (unit && *unit != mesh.content().unit) return gouge::LengthUnit::mm;
+      unit = mesh.content().unit;
+    }
+  }
+  return unit.value_or(gouge::LengthUnit::mm);
+}
+
 /// Returns the basis of the set-up: vouched facts and strictness as requested, and whether each mesh is solid.
 gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const CheckOptions& options) {
   gouge::SetupBasis basis;
@@ -64,7 +77,7 @@ gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const Che
       are_units_known = are_units_known && !mesh.content().has_unknown_unit;
     }
   }
-  if (are_units_known) basis.mesh_unit = gouge::LengthUnit::mm;
+  if (are_units_known) basis.mesh_unit = unit_of_files(scene);
   return basis;
 }
 

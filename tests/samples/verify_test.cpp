@@ -105,7 +105,10 @@ TEST(VerifyCommand, FindsAToolThatIsNotTheOneThatWasChecked) {
   const Outcome sum = run_script(sample.path, "sha256sum tools.json");
   json result = result_of(sample);
   for (json& input : result.at("inputs"))
-    if (input.at("role") == "tools") input["checksum"] = "sha256:" + sum.out.substr(0, 64);
+    if (input.at("role") == "tools") {
+      input["checksum"] = "sha256:" + sum.out.substr(0, 64);
+      input["bytes"] = tools.dump().size();
+    }
   write_text(sample.path + "/result.json", sealed(result));
   EXPECT_EQ(verify(sample, {}).exit_status, 1);
   EXPECT_EQ(verify(sample).exit_status, 3);  // the certificate is about other inputs
