@@ -128,7 +128,7 @@ class Verifier {
         const auto& w = claim.witness;
         done_.refuted.push_back({move, w ? std::optional(w->t) : std::nullopt,
                                  w ? std::optional(w->point) : std::nullopt, "its witness: " + *fault});
-      } else if (claim.witness) {
+      } else if (claim.witness && claim.state != ClaimedState::buried) {
         ++done_.witnesses;
       }
     }

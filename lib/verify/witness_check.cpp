@@ -160,6 +160,7 @@ std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const C
   if (claim.state == ClaimedState::near && claim.depth_upper_mm && upper > scene.largest_clean_mm() + kExact_mm)
     return "it is said to be no gouge, and its bound is more than tolerance + resolution";
   if (claim.state != ClaimedState::gouge && claim.state != ClaimedState::near && !claim.witness) return std::nullopt;
+  if (claim.state == ClaimedState::buried) return std::nullopt;  // a result states no depth of its witness
   if (!claim.witness) return "it has no witness";
   if (tool >= tools.size() || !tools[tool]) return "its tool is not defined";
   if (auto fault = WitnessChecker(scene, *tools[tool], move, claim).fault()) return fault;

@@ -252,6 +252,23 @@ TEST_F(ChangedResult, FactsOfTheOptionsAreThoseOfTheResult) {
   }
 }
 
+// The result lists the touched point without its depth, and any of these moves may be the worst.
+TEST_F(ChangedResult, ABuriedToolThatTouchesASurfaceIsNotRefuted) {
+  shop_.write("tools.json", R"({"units": "mm", "tools": [{"number": 1, "name": "mill",
+    "cutter": {"shape": "flat", "diameter": 10, "length": 10}}]})");
+  std::string text = "PARTNO/SHOP\nUNITS/MM\nLOADTL/1\nRAPID\nGOTO/-20,50,30\n";
+  for (const char* at : {"30,50,-20.004", "40,50,-20.006", "50,50,-20.006", "60,50,-20.005", "120,50,30"})
+    text += std::string("RAPID\nGOTO/") + at + "\n";
+  (void)shop_.check("result", text + "FINI\n", {"--tools", "tools.json", "--near-miss", "0.5", "-q"});
+  const json moves = shop_.json("result.json").at("moves");
+  EXPECT_TRUE(std::ranges::any_of(moves, [](const json& move) {
+    return move.at("state") == "buried" && !move.at("witness").is_null();
+  })) << moves.dump();
+  const Outcome ran = shop_.run({"verify", "result.json"});
+  EXPECT_EQ(ran.exit_status, 4) << ran.err;
+  EXPECT_EQ(ran.out.find("refuted: "), std::string::npos) << ran.out;
+}
+
 TEST_F(ChangedResult, IsRefutedWhereOtherCommandsRefuseIt) {
   check(kHead);
   json changed = whole_;
