@@ -23,7 +23,7 @@ struct VerifyArguments : Verbosity {
 
 void add_verify_options(CLI::App& command, VerifyArguments& arguments);
 
-/// Runs `gougecheck verify`, which tests whether a result is correct. It shares no code with the check except the
+/// Runs `gougecheck verify`, which tests whether a result is correct. Depths and findings share no code with the check except the
 /// readers of files. Returns the exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not
 /// everything is covered.
 [[nodiscard]] int run_verify(const VerifyArguments& arguments, std::ostream& out, std::ostream& err);
