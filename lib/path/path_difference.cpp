@@ -74,15 +74,16 @@ class Nearest {
  public:
   Nearest(const std::vector<FeedChord>& feeds, double height_mm) : feeds_(feeds), height_mm_(height_mm) {}
 
-  /// Returns the distance from the nearest feed, which `last` becomes.
+  /// Returns the distance of the tip from the nearest feed, and the smallest angle at a feed as near, which `last` becomes.
   Distance find(const Pose& pose) {
     best_ = {};
+    nearest_mm_ = std::numeric_limits<double>::infinity();
     const std::size_t ahead = std::min(feeds_.size(), last_ + kAhead);
     const std::size_t begin = begin_ = last_;
-    look_at(pose, begin, ahead, Tolerance::kSamePoint_mm);
-    if (best_.sum(height_mm_) < kAlike_mm || look_at(pose, ahead, feeds_.size(), kAlike_mm)) return best_;
-    look_at(pose, 0, begin, kAlike_mm);
-    return best_;
+    const bool is_found = look_at(pose, begin, ahead, Tolerance::kSamePoint_mm) || best_.sum(height_mm_) < kAlike_mm ||
+                          look_at(pose, ahead, feeds_.size(), kAlike_mm);
+    if (!is_found) look_at(pose, 0, begin, kAlike_mm);
+    return {nearest_mm_, best_.axis_rad};
   }
   [[nodiscard]] std::size_t move() const { return feeds_[last_].move; }
   /// Returns whether a motion that is as near as the nearest one fulfils a condition. Where a path passes a place more
@@ -102,9 +103,12 @@ class Nearest {
   /// Looks for a nearer feed until one is nearer than `enough_mm`. Returns whether it found one.
   bool look_at(const Pose& pose, std::size_t begin, std::size_t end, double enough_mm) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (tip_bound_mm(pose, feeds_[i]) >= best_.sum(height_mm_)) continue;
+      if (tip_bound_mm(pose, feeds_[i]) > nearest_mm_ + kAlike_mm) continue;
       const Distance found = distance_from(pose, feeds_[i]);
-      if (!(found.sum(height_mm_) < best_.sum(height_mm_))) continue;
+      if (found.tip_mm > nearest_mm_ + kAlike_mm) continue;
+      nearest_mm_ = std::min(nearest_mm_, found.tip_mm);
+      const bool is_best_near = best_.tip_mm <= nearest_mm_ + kAlike_mm;
+      if (is_best_near && !(found.sum(height_mm_) < best_.sum(height_mm_))) continue;
       best_ = found;
       last_ = i;
       if (best_.sum(height_mm_) < enough_mm) return true;
@@ -114,13 +118,25 @@ class Nearest {
 
   const std::vector<FeedChord>& feeds_;
   double height_mm_;
-  Distance best_;
+  Distance best_;          // as near as nearest_mm_ within kAlike_mm
+  double nearest_mm_ = 0;  // distance of the nearest tip
   std::size_t last_ = 0, begin_ = 0;
 };
 
+bool are_feeds_comparable(const Move& move, const Move& other) {
+  const Feed one = move.feed(), two = other.feed();
+  return one.is_number() && one.unit == two.unit && one.mm > 0 && two.mm > 0;
+}
+
+/// Returns whether one of both motions has a feed rate that the other one has not, or has in another unit.
+bool has_unknown_feed(const Move& move, const Move& other) {
+  const auto is_known = [](const Move& of) { return of.feed().is_number() && of.feed_mm > 0; };
+  return !are_feeds_comparable(move, other) && (is_known(move) || is_known(other));
+}
+
 bool has_other_feed(const Move& move, const Move& other) {
   const Feed one = move.feed(), two = other.feed();
-  if (!one.is_number() || one.unit != two.unit || one.mm <= 0 || two.mm <= 0) return false;
+  if (!are_feeds_comparable(move, other)) return false;
   return std::abs(one.mm - two.mm) > PathDifference::kSameFeed * std::max(one.mm, two.mm);
 }
 
@@ -144,6 +160,10 @@ std::optional<PathDifference> measure_difference(const Toolpath& path, const Too
       difference.axis_rad = found.axis_rad;
       difference.axis_move = i;
       difference.axis_other = nearest.move();
+    }
+    if (has_unknown_feed(path.moves[i], other.moves[nearest.move()]) && difference.unknown_feeds++ == 0) {
+      difference.unknown_move = i;
+      difference.unknown_other = nearest.move();
     }
     const auto is_same_feed = [&](std::size_t move) { return !has_other_feed(path.moves[i], other.moves[move]); };
     if (is_same_feed(nearest.move()) || nearest.has_alike(path.moves[i].end, is_same_feed)) continue;

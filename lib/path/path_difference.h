@@ -11,20 +11,23 @@ namespace gouge {
 struct PathDifference {
   std::size_t positions = 0;  ///< feed positions that were compared
   double tip_mm = 0;          ///< largest distance of a tip from the nearest motion
-  double axis_rad = 0;        ///< largest angle between the axes there
+  double axis_rad = 0;        ///< largest of the angles between the axes at the nearest motions
   /// The position of the largest value, and the nearest motion; kNone: there is no position.
   std::size_t tip_move = kNone, tip_other = kNone, axis_move = kNone, axis_other = kNone;
   /// Positions at which the motions of both paths have feed rates in the same unit, and they differ by more than
   /// kSameFeed. Where the other path passes a place more than once, one motion with the same feed rate is enough.
   std::size_t other_feeds = 0;
   std::size_t feed_move = kNone, feed_other = kNone;  ///< the first of them, and the nearest motion
+  /// Positions at which the feed rates cannot be compared: one of both is not known, or their units differ.
+  std::size_t unknown_feeds = 0;
+  std::size_t unknown_move = kNone, unknown_other = kNone;  ///< the first of them, and the nearest motion
 
   static constexpr double kSameFeed = 0.001;  ///< share of a feed rate, for the rounding of programs
 };
 
 /// Measures the end of each checked feed of `path` against the feeds of `other`, along their arcs and splines. The nearest
-/// motion is that whose tip is nearest; an angle of 1 rad counts as `height_mm`. Among equally near ones it is the next
-/// after the one before. None: a path has no feed that is checked.
+/// motion is that whose tip is nearest. Among those as near within 0.001 mm it is that with the smallest angle, of which 1 rad
+/// counts as `height_mm`, and among equal ones the next after the one before. None: a path has no feed that is checked.
 /// Cost     O(moves) for paths in the same order, at worst the product of both numbers of moves.
 [[nodiscard]] std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other,
                                                                double height_mm);

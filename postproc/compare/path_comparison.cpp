@@ -36,13 +36,25 @@ std::string feed_row(const PathDifference& of, const Toolpath& path, const Toolp
                                        rate(other, of.feed_other));
 }
 
+/// Names the feed rates that were not compared, and how the user states that of a program.
+std::string unknown_feed_row(const PathDifference& of, const Toolpath& path, const Toolpath& other) {
+  if (of.unknown_feeds == 0) return {};
+  const auto rate = [](const Toolpath& in, std::size_t move) {
+    const Feed feed = in.moves[move].feed();
+    return feed.is_number() && feed.mm > 0 ? feed_text(feed, in.unit) : std::string("not known");
+  };
+  return row("  feed rates not compared", std::to_string(of.unknown_feeds) + ", first " + rate(path, of.unknown_move) +
+                                              places_text(path, of.unknown_move, other, of.unknown_other) + ": " +
+                                              rate(other, of.unknown_other));
+}
+
 std::string difference_text(const char* which, const PathDifference& of, const Toolpath& path, const Toolpath& other) {
   return row(which, count_text(of.positions, "feed")) +
          row("  largest distance of a tip",
              display_text(of.tip_mm, kDecimals) + " mm" + places_text(path, of.tip_move, other, of.tip_other)) +
          row("  largest angle of an axis", display_text(of.axis_rad / kDegree_rad, kDecimals) + " deg" +
                                                places_text(path, of.axis_move, other, of.axis_other)) +
-         feed_row(of, path, other);
+         feed_row(of, path, other) + unknown_feed_row(of, path, other);
 }
 
 Json difference_json(const PathDifference& of, const Toolpath& path, const Toolpath& other) {
@@ -53,10 +65,13 @@ Json difference_json(const PathDifference& of, const Toolpath& path, const Toolp
   };
   Json feeds = {{"count", of.other_feeds}};
   if (of.other_feeds > 0) feeds = lines(std::move(feeds), of.feed_move, of.feed_other);
+  Json unknown = {{"count", of.unknown_feeds}};
+  if (of.unknown_feeds > 0) unknown = lines(std::move(unknown), of.unknown_move, of.unknown_other);
   return {{"positions", of.positions},
           {"tip", lines({{"mm", of.tip_mm}}, of.tip_move, of.tip_other)},
           {"axis", lines({{"degrees", of.axis_rad / kDegree_rad}}, of.axis_move, of.axis_other)},
-          {"other_feed_rates", std::move(feeds)}};
+          {"other_feed_rates", std::move(feeds)},
+          {"feed_rates_not_compared", std::move(unknown)}};
 }
 
 std::string relation_text(const PathRelation& relation) {

@@ -220,11 +220,23 @@ TEST_F(Compare, ReadingsOfAPathAreComparedAsJson) {
   EXPECT_EQ(json["before_against_after"]["tip"]["mm"], 0);
   EXPECT_EQ(json["before_against_after"]["other_feed_rates"],
             nlohmann::json({{"count", 1}, {"line", 6}, {"nearest_line", 6}}));
+  EXPECT_EQ(json["before_against_after"]["feed_rates_not_compared"], nlohmann::json({{"count", 0}}));
   const Outcome text = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
   EXPECT_NE(text.out.find("1, first feed 200 mm/min at a.apt:6, nearest b.apt:6: feed 220 mm/min"), std::string::npos)
       << text.out;
   EXPECT_EQ(shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "a.apt"}).exit_status, 2);
   EXPECT_EQ(shop_.read("a.apt"), feeds);
+}
+
+TEST_F(Compare, FeedRatesThatAreNotKnownAreNamed) {
+  shop_.write("a.apt", "UNITS/MM\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");
+  shop_.write("b.apt", "UNITS/MM\nGOTO/0,0,0\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");
+  const Outcome ran = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("  feed rates not compared         2, first feed 100 mm/min at a.apt:4, nearest b.apt:3: not "
+                         "known\n"),
+            std::string::npos)
+      << ran.out;
 }
 
 TEST_F(Compare, AReadingInAnotherUnitOrPlaceIsExplained) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/support/paths.h"
 
 namespace gouge::path_difference_test {
@@ -45,6 +48,25 @@ TEST(PathDifference, NamesTheFarthestFeedAndTheNearestOneOfTheOther) {
   EXPECT_EQ(difference->tip_other, 2U);
 }
 
+// Elsewhere on the path a smaller angle would make up for the distance, but the nearest tip is that of the same position.
+TEST(PathDifference, OneWrongAxisIsAnAngleAndNoDistance) {
+  const double s = std::sin(std::numbers::pi / 6), c = std::cos(std::numbers::pi / 6);
+  Toolpath path = paths::through({{{0, 0, 0}, Vec3(-s, 0, c)},
+                                  {{50, 0, 0}, Vec3::UnitZ()},
+                                  {{100, 0, 0}, Vec3(s, 0, c)},
+                                  {{150, 0, 0}, Vec3::UnitZ()}});
+  for (Move& move : path.moves) move.kind = MoveKind::feed;
+  Toolpath other = path;
+  other.moves[2].end.axis = Vec3(-s, 0, c);
+  for (const auto& [one, two] : {std::pair{&path, &other}, std::pair{&other, &path}}) {
+    const auto difference = measure_difference(*one, *two, kHeight_mm);
+    ASSERT_TRUE(difference.has_value());
+    EXPECT_LT(difference->tip_mm, 1e-9);
+    EXPECT_NEAR(difference->axis_rad, std::numbers::pi / 3, 1e-9);
+    EXPECT_EQ(difference->axis_move, 2U);
+  }
+}
+
 TEST(PathDifference, CountsFeedRatesThatDifferByMoreThanTheirRounding) {
   Toolpath path = hole(MoveKind::rapid, MoveKind::feed);
   path.moves[2].set_feed({800, FeedUnit::per_minute});
@@ -60,6 +82,10 @@ TEST(PathDifference, CountsFeedRatesThatDifferByMoreThanTheirRounding) {
   const auto difference = measure_difference(path, other, kHeight_mm);
   EXPECT_EQ(difference->feed_move, 2U);
   EXPECT_EQ(difference->feed_other, 2U);
+  other.moves[2].set_feed({0, FeedUnit::not_stated});
+  EXPECT_EQ(measure_difference(path, other, kHeight_mm)->unknown_feeds, 1U);
+  EXPECT_EQ(measure_difference(other, path, kHeight_mm)->unknown_feeds, 1U);
+  EXPECT_EQ(measure_difference(path, path, kHeight_mm)->unknown_feeds, 0U);
 }
 
 TEST(PathDifference, FindsNoOtherFeedInItsOwnCopy) {
