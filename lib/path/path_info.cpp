@@ -20,6 +20,13 @@ void extend(Box3& box, const Toolpath& path, std::size_t index) {
   const Move& move = path.moves[index];
   box.extend(move.end.tip);
   if (move.curve_kind == CurveKind::none || !move.has_start) return;
+  // Most curves end inside the box of those before, so coarse chords are enough to see that they do not enlarge it.
+  constexpr double kCoarse_mm = 0.01;
+  Box3 coarse;
+  for (const Pose& pose : chords_of(path, index, kCoarse_mm)) coarse.extend(pose.tip);
+  coarse.extend(Vec3(coarse.max().array() + kCoarse_mm));
+  coarse.extend(Vec3(coarse.min().array() - kCoarse_mm));
+  if (box.contains(coarse)) return;
   for (const Pose& pose : chords_of(path, index, PathInfo::kBoxError_mm)) box.extend(pose.tip);
 }
 

@@ -16,7 +16,7 @@ namespace gouge {
 struct PathInfo {
   std::array<std::size_t, 4> moves_by_kind{};  ///< indexed by MoveKind
   std::size_t alone = 0;                       ///< number of positions without a motion that leads to them
-  static constexpr double kBoxError_mm = 0.01;
+  static constexpr double kBoxError_mm = 4e-5;
   Box3 box;                      ///< box of the tip's path, arcs to within kBoxError_mm; empty without moves
   std::size_t orientations = 0;  ///< number of distinct tool axes
   double largest_tilt_deg = 0;   ///< largest angle between the axis at a position and that at the first one
