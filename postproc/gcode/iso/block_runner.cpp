@@ -1,6 +1,7 @@
 #include "postproc/gcode/iso/block_runner.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/gcode/running/program_text.h"
@@ -161,12 +162,20 @@ void BlockRunner::take_code(const GcodeRow& row) {
   }
 }
 
+// The time of motions depends on a feed, and no depth. So it is no reason not to check them.
+void BlockRunner::note_unknown_feed() {
+  if (std::exchange(has_noted_feed_, true)) return;
+  path_.notes.push_back(
+      make_note("gcode-feed", "the feed rate is not known from here on: " + lost_, path_.file, line_));
+}
+
 void BlockRunner::take_feed() {
   const double feed = number('F', 1);
   if (words_.value('F') < 0) return lose_rest("the feed is below 0", line_);
   modes_.has_feed = !(words_.value('F') <= 0);
   const bool is_time = modes_.feed_unit == FeedUnit::not_understood;
   modes_.feed = is_known(feed) && feed > 0 ? std::optional(is_time ? feed : feed * mm_per_unit()) : std::nullopt;
+  if (!is_known(feed)) note_unknown_feed();
   lost_.clear();  // only the time of the motion depends on it
   set_feed();
 }

@@ -89,6 +89,7 @@ class BlockRunner {
   void take_tilted_plane();
   void change_tool();
   void take_feed();
+  void note_unknown_feed();
   [[nodiscard]] NextBlock take_flow();
 
   void move();
@@ -128,6 +129,7 @@ class BlockRunner {
   StepRounding rounding_;
   std::optional<Diagnostic> error_;
   std::string lost_;  // why a number of the block is not known
+  bool has_noted_feed_ = false;
   std::size_t line_ = 0, unit_line_ = 0, offset_line_ = 0, lost_line_ = kNone;
   bool has_ended_ = false, has_assumed_unit_ = false;
 };

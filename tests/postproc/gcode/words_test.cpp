@@ -445,6 +445,16 @@ TEST(GcodeWords, MarksOfLoopsAreThoseOfBlocks) {
   }
 }
 
+TEST(GcodeWords, OfFeedsWithoutADecimalPointAreNotedOnce) {
+  const std::string text = program("G1 Z5. F500\nX2. F600\nG1 X3. F700.\n");
+  const ReadOutcome outcome = read_program(text, "haas");
+  EXPECT_TRUE(can_be_clean(outcome)) << reasons_of(outcome);
+  const std::string note = "the feed rate is not known from here on: F500 has no decimal point";
+  const std::string reasons = reasons_of(outcome);
+  EXPECT_NE(reasons.find(note), std::string::npos) << reasons;
+  EXPECT_EQ(reasons.find("F600"), std::string::npos) << reasons;
+}
+
 TEST(GcodeWords, ThatAreUnknownAreNamedAllAtOnce) {
   const std::string text =
       "G21 G90 G17\nT1 M6\nG43 H1 G0 X1. Y1.\nZ9.\nG1 Z5. F100.\nX9.\nM777\nG1 X2.\nM888\nM777\nG1 X3.\nG0 Z5.\nM999\nM2\n";
