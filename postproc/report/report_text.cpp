@@ -327,7 +327,9 @@ std::string shop_name(const ReportModel& model, std::size_t tool) {
 std::string setting_text(const ReportModel& model, const Event& event) {
   const Toolpath& path = *model.toolpath;
   const Move& move = path.moves[event.worst_move];
-  const std::size_t first = path.moves[event.first_move].line, last = path.moves[event.last_move].line;
+  // A subprogram may stand behind the block that calls it, so the last move may have an earlier line than the first one.
+  const auto [first, last] =
+      std::minmax<std::size_t>({path.moves[event.first_move].line, path.moves[event.last_move].line});
   const std::string operation = operation_name(path, move.operation);
   const std::string tool = shop_name(model, event.tool);
   std::string text;
