@@ -125,6 +125,18 @@ class Command {
                                                                    {"UINT", "a whole number of 0 or more"},
                                                                    {"FLOAT", "a number"},
                                                                    {"FLOAT:POSITIVE", "a number above 0"},
+                                                                   {"MOVES:POSITIVE", "a whole number above 0"},
+                                                                   {"SECONDS", "a number of seconds"},
+                                                                   {"DEG", "degrees"},
+                                                                   {"DEG/MM", "degrees for each mm"},
+                                                                   {"DIALECT", "a dialect"},
+                                                                   {"BLOCK", "a block of the program"},
+                                                                   {"CODE", "a code"},
+                                                                   {"WORD", "a word"},
+                                                                   {"FIXTURE", "a fixture"},
+                                                                   {"DAY", "a day, such as 2027-03-01"},
+                                                                   {"N", "a number"},
+                                                                   {"N|auto|all", "a number, auto or all"},
                                                                    {kWritableDialect, "a dialect that can be written"},
                                                                    {"DEG/MIN", "degrees a minute"}};
     for (const auto& [name, kind] : kKinds) {
@@ -221,7 +233,7 @@ class Command {
     }
     const std::size_t ours = text.find("expected ");
     if (ours != std::string::npos) return text.substr(ours);
-    return option.get_type_name().find("POSITIVE") != std::string::npos ? "expected a number above 0" : text;
+    return option.get_type_name().find("POSITIVE") != std::string::npos ? "expected " + kind_of_value(option) : text;
   }
 
   const CLI::App* app_;

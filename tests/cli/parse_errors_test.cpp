@@ -148,7 +148,7 @@ TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsReported) {
 // The options with a value and the positionals of a command, as its help names them.
 std::vector<std::string> taking_values(std::vector<const char*> command) {
   command.insert(command.begin(), "/usr/bin/gougecheck");
-  command.push_back("--help");
+  if (std::string_view(command[1]) != "help") command.push_back("--help");
   std::ostringstream out, err;
   EXPECT_EQ(run(static_cast<int>(command.size()), command.data(), out, err), kExitClean);
   const std::regex row("^  (?:-[a-z],)?(--[a-z-]+|[A-Za-z]+) (?!Needs)[A-Z].*");
@@ -185,6 +185,40 @@ TEST(ParseErrors, AnEmptyValueIsRefusedWhereverAValueIsTaken) {
     }
   }
   EXPECT_GT(count, 150U);
+}
+
+// The parser knows the kind of a value by words of programs: UINT, MOVES:POSITIVE.
+TEST(ParseErrors, NoValueIsAnsweredWithAWordOfTheProgramAlone) {
+  const std::regex of_programs("UINT|FLOAT|POSITIVE|expected [A-Z]+(;|$)");
+  std::size_t count = 0;
+  for (const char* command :
+       {"check",        "correct",   "batch",       "compare",      "clash",         "accept",      "merge",
+        "verify",       "mesh",      "tool list",   "tool show",    "tool draw",     "tool import", "path info",
+        "path convert", "path plot", "path joints", "machine show", "machine check", "machine draw"}) {
+    const std::string name = command;
+    const std::size_t blank = name.find(' ');
+    const std::string first = name.substr(0, blank), second = blank == std::string::npos ? "" : name.substr(blank + 1);
+    std::vector<const char*> words = {first.c_str()};
+    if (!second.empty()) words.push_back(second.c_str());
+    std::vector<const char*> help = {"help"};
+    help.insert(help.end(), words.begin(), words.end());
+    help.push_back("--all");
+    for (const std::string& option : taking_values(help)) {
+      for (const char* value : {"1e9", "1.5", "-3", "0x", "1e30", "", "nan"}) {
+        std::vector<const char*> argv = {"/usr/bin/gougecheck"};
+        argv.insert(argv.end(), words.begin(), words.end());
+        argv.insert(argv.end(), {option.c_str(), value});
+        std::ostringstream out, err;
+        EXPECT_NE(run(static_cast<int>(argv.size()), argv.data(), out, err), kExitClean) << name << option << value;
+        EXPECT_FALSE(std::regex_search(err.str(), of_programs)) << name << " " << option << " " << err.str();
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 1000U);
+  for (const char* value : {"1e9", "0", "-3", "1.5"})
+    EXPECT_TRUE(said({"batch", "a.apt", "--chunk", value})
+                    .starts_with("--chunk '" + std::string(value) + "': expected a whole number above 0"));
 }
 
 TEST(ParseErrors, AnEmptyValueIsReportedWithWhatIsExpected) {
