@@ -104,6 +104,7 @@ class OutputLister {
 };
 
 int run_command(const BatchJob& job, const JobContext& context) {
+  if (job.refusal) return fail(context.err, {*job.refusal});
   try {
     if (const auto* check = std::get_if<CheckArguments>(&job.arguments)) return run_check(*check, context);
     return run_correct(std::get<CorrectArguments>(job.arguments), context);
@@ -174,7 +175,7 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
   JobResult& result = run.result;
   result.name = job.name;
   result.command = job.command();
-  result.toolpath = job.job().path;
+  result.toolpath = job.refusal ? printable(job.job().path) : job.job().path;
   std::ostringstream out, err;
   std::string work_file;
   std::optional<WorkStore> work;
@@ -197,6 +198,9 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
       result.outputs = std::move(*outputs);
       result.key = key_of(text, checksums_of(result.inputs));
     }
+  } else if (job.refusal) {
+    FileHashes hashes;
+    result.key = job_key(job, text, hashes);
   } else if (job.has_report && fs::exists(fs::path(folder) / page, ignored)) {
     result.messages +=
         to_text(make_note("report-old", "is of an earlier run, in which the job did not fail", page)) + "\n";

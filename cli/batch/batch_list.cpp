@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "cli/batch/job_names.h"
 #include "cli/batch/toolpath_files.h"
 #include "cli/commands/job_words.h"
 #include "cli/output/output_file.h"
@@ -20,19 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ListJson = nlohmann::json;
-
-constexpr std::size_t kLongestName = 100;
-
-// Returns why a job cannot have this name. The name is used for folders too.
-std::optional<std::string> why_no_name(const std::string& name) {
-  if (name.empty()) return "is empty";
-  if (name.size() > kLongestName) return "has more than " + std::to_string(kLongestName) + " bytes";
-  if (name.front() == '.' || name.front() == '-') return std::string("begins with ") + name.front();
-  if (name.find('/') != std::string::npos) return "holds a /";
-  if (name.front() == ' ' || name.back() == ' ') return "begins or ends with a blank";
-  if (printable(name) != name) return "holds characters that cannot be printed";
-  return std::nullopt;
-}
 
 // Returns whether a name is a pattern. The name of an existing file is not a pattern, because browsers write "path
 // [1].apt".
@@ -146,7 +135,8 @@ class JobListReader {
     if (command != "check" && command != "correct")
       return fail("\"command\" is '" + printable(command) + "'; expected check or correct", pointer + "/command");
     const bool has_report = take_report(fields);
-    const std::vector<std::string> paths = take_paths(fields, pointer);
+    std::set<std::string> found;
+    const std::vector<std::string> paths = take_paths(fields, pointer, found);
     // A correction takes no baseline: to leave out that of the defaults makes no verdict better.
     const auto baseline = fields.find("baseline");
     const bool leaves_baseline = command == "correct" && baseline != fields.end() && !own.contains("baseline");
@@ -158,9 +148,14 @@ class JobListReader {
     }
     const std::vector<std::string> of_files = names_of_toolpaths(paths);
     for (std::size_t k = 0; k < paths.size(); ++k) {
-      const std::string job_name = name.empty() ? of_files[k] : paths.size() == 1 ? name : name + " " + of_files[k];
+      std::string job_name = name.empty() ? of_files[k] : paths.size() == 1 ? name : name + " " + of_files[k];
+      // A person can change a name in the list, but a pattern finds whatever lies in its folder.
+      std::optional<Diagnostic> refusal;
+      if (found.contains(paths[k]) && (name.empty() || !why_no_name(name))) refusal = replace_odd(job_name, paths[k]);
       add(job_name, command, words.words(), paths[k], has_report, {pointer, fields});
-      if (!error_) jobs_.back().leaves_baseline = leaves_baseline;
+      if (error_) continue;
+      jobs_.back().leaves_baseline = leaves_baseline;
+      jobs_.back().refusal = refusal;
     }
   }
 
@@ -213,7 +208,8 @@ class JobListReader {
     return true;
   }
 
-  std::vector<std::string> take_paths(Fields& fields, const std::string& job) {
+  // Adds to `found_by_pattern` the files that are like a pattern.
+  std::vector<std::string> take_paths(Fields& fields, const std::string& job, std::set<std::string>& found_by_pattern) {
     const auto found = fields.find("path");
     if (found == fields.end()) {
       fail("a job has no \"path\"; expected its toolpath, or a pattern such as \"ops/*.apt\"", job);
@@ -245,6 +241,7 @@ class JobListReader {
       if (found_files.empty())
         fail("no file is like \"path\" " + printable(path) + "; expected one at least", field.pointer);
       paths.insert(paths.end(), found_files.begin(), found_files.end());
+      found_by_pattern.insert(found_files.begin(), found_files.end());
     }
     if (paths.empty()) fail("\"path\" is an empty list; expected one file at least", field.pointer);
     return paths;
@@ -329,21 +326,14 @@ Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& places, 
     if (is_pattern(path) && !fs::exists(path, ignored))
       return make_error("usage", "no file is like " + printable(path) + "; expected one at least");
   }
-  const std::vector<std::string> names = names_of_toolpaths(*toolpaths);
+  std::vector<std::string> names = names_of_toolpaths(*toolpaths);
+  const auto refusals = settle_names(*toolpaths, names);
+  if (!refusals) return refusals.error();
   std::vector<BatchJob> jobs;
-  std::map<std::string, std::string> files;
   for (std::size_t k = 0; k < toolpaths->size(); ++k) {
-    const std::string &path = (*toolpaths)[k], &name = names[k];
-    if (const auto why = why_no_name(name))
-      return make_error("usage", "the name of a job, '" + printable(name) + "', " + *why +
-                                     "; expected a file name that can name a folder, or a job list with names");
-    const auto [other, is_new] = files.try_emplace(name, path);
-    if (!is_new)
-      return make_error("usage", "two jobs would be called " + printable(name) + ": " + printable(other->second) +
-                                     " and " + printable(path) +
-                                     "; expected files of different names, or a job list with names");
-    Result<BatchJob> job = make_job(name, "check", words, path);
+    Result<BatchJob> job = make_job(names[k], "check", words, (*toolpaths)[k]);
     if (!job) return job.error();
+    job->refusal = (*refusals)[k];
     place_outputs(*job, folder);
     jobs.push_back(std::move(*job));
   }

@@ -22,6 +22,7 @@ struct BatchJob {
   bool has_own_certificate = false;  ///< it writes its certificate into the folder of the batch
   bool leaves_baseline = false;      ///< it corrects, so the baseline in the defaults of its list does not hold for it
   std::variant<CheckArguments, CorrectArguments> arguments;
+  std::optional<Diagnostic> refusal;  ///< error with which it fails, as its file has a name that no job can have
 
   [[nodiscard]] const char* command() const { return arguments.index() == 0 ? "check" : "correct"; }
   [[nodiscard]] JobArguments& job();
@@ -50,7 +51,7 @@ struct BatchFolder {
 [[nodiscard]] Result<std::vector<BatchJob>> read_job_list(const std::string& file, const BatchFolder& folder);
 
 /// Returns jobs that check toolpaths with the same options, named after their files (names_of_toolpaths). `places` are
-/// toolpaths, and folders of toolpaths. Errors: usage.
+/// toolpaths, and folders of toolpaths. A file name that can name no job gives a job that fails. Errors: usage.
 [[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& places,
                                                       const std::vector<std::string>& words, const BatchFolder& folder);
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <ctime>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "cli/batch/settled_files.h"
 #include "cli/batch/toolpath_files.h"
@@ -29,18 +31,23 @@ double now_s() {
   return static_cast<double>(clock.tv_sec) + kNanosecond_s * static_cast<double>(clock.tv_nsec);
 }
 
-/// The notifications of the system about changes in a folder. Without notifications, `wait` only waits.
+/// The notifications of the system about changes in folders. Without notifications, `wait` only waits.
 class FolderNews {
  public:
-  explicit FolderNews(const std::string& folder) : handle_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
-    if (handle_ >= 0)
-      ::inotify_add_watch(handle_, folder.c_str(),
-                          IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_MODIFY);
-  }
+  FolderNews() : handle_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {}
   FolderNews(const FolderNews&) = delete;
   FolderNews& operator=(const FolderNews&) = delete;
   ~FolderNews() {
     if (handle_ >= 0) ::close(handle_);
+  }
+
+  /// Adds folders. A folder that was added before is no error. The system drops those that are removed.
+  void add(const std::vector<std::string>& folders) const {
+    for (const std::string& folder : folders) {
+      if (handle_ >= 0)
+        ::inotify_add_watch(handle_, folder.c_str(),
+                            IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_MODIFY | IN_CREATE);
+    }
   }
 
   void wait(int at_max_ms) const {
@@ -59,30 +66,61 @@ bool has_pattern(const std::string& place) {
   return fs::path(place).filename().string().find_first_of("*?[") != std::string::npos;
 }
 
+/// Warns once of each folder that cannot be read.
+class FolderWarnings {
+ public:
+  explicit FolderWarnings(const TakeWarning& warn) : warn_(warn) {}
+
+  void tell(const Diagnostics& unreadable) {
+    std::set<std::string> now;
+    for (const Diagnostic& one : unreadable) {
+      now.insert(one.file);
+      if (!told_.contains(one.file))
+        warn_(make_warning(one.code, one.message + "; its toolpaths are not checked until it can", one.file));
+    }
+    told_ = std::move(now);
+  }
+
+ private:
+  const TakeWarning& warn_;
+  std::set<std::string> told_;
+};
+
 }  // namespace
 
-Outcome watch_toolpaths(const std::string& place, bool are_programs, const RunToolpaths& run) {
-  SettledFiles files(place);
+std::optional<Diagnostic> find_wrong_place(const std::string& place) {
+  const SettledFiles files(place);
   std::error_code ignored;
-  const bool is_there = fs::is_directory(files.folder(), ignored) && (files.is_whole_folder() || has_pattern(place));
-  if (!is_there)
-    return make_error("usage",
-                      "--watch '" + printable(place) + "': there is no such folder; expected one, or a pattern in one");
-  const FolderNews news(files.folder());
-  FileStamps last;
+  if (fs::is_directory(files.folder(), ignored) && (files.is_whole_folder() || has_pattern(place))) return std::nullopt;
+  return make_error("usage",
+                    "--watch '" + printable(place) + "': there is no such folder; expected one, or a pattern in one");
+}
+
+void watch_toolpaths(const WatchedPlace& watched, const RunToolpaths& run, const TakeWarning& warn) {
+  SettledFiles files(watched.place, watched.output);
+  SettledInputs inputs(watched.inputs, now_s());
+  const FolderNews news;
+  FolderWarnings warnings(warn);
+  FileStamps last, last_inputs;
   while (true) {
     FileStamps settled = files.look(now_s());
+    FileStamps settled_inputs = inputs.look(now_s());
+    news.add(files.folders());
+    warnings.tell(files.unreadable());
     if (files.is_whole_folder())
-      std::erase_if(settled, [&](const auto& file) { return !has_toolpath_ending(file.first, are_programs); });
+      std::erase_if(settled, [&](const auto& file) { return !has_toolpath_ending(file.first, watched.are_programs); });
     AfterRun next = AfterRun::go_on;
-    if (settled != last && !settled.empty()) {
+    if ((settled != last || settled_inputs != last_inputs) && !settled.empty()) {
       std::vector<std::string> paths;
       for (const auto& [path, stamp] : settled) paths.push_back(path);
       next = run(paths);
     }
-    if (next == AfterRun::end) return Done{};
-    if (next == AfterRun::go_on) last = std::move(settled);
-    news.wait(files.is_unsettled() ? kWhileUnsettled_ms : kWhileQuiet_ms);
+    if (next == AfterRun::end) return;
+    if (next == AfterRun::go_on) {
+      last = std::move(settled);
+      last_inputs = std::move(settled_inputs);
+    }
+    news.wait(files.is_unsettled() || inputs.is_unsettled() ? kWhileUnsettled_ms : kWhileQuiet_ms);
   }
 }
 

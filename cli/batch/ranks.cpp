@@ -32,15 +32,6 @@ class OneProcess : public Ranks {
   std::array<JobDealer, 2> dealers_;
 };
 
-// Returns how many processes mpirun started, from the environment variables of Open MPI and MPICH; 0: mpirun did not
-// start this one.
-long long processes_started() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    if (const char* size = std::getenv(name)) return parse_integer(size).value_or(0);
-  }
-  return 0;
-}
-
 #ifdef GOUGE_MPI
 Result<std::unique_ptr<Ranks>> make_mpi_ranks(long long) {
   const Result<void*> make = find_function("gougecheck_mpi.so", "gougecheck_mpi_ranks");
@@ -58,8 +49,16 @@ Result<std::unique_ptr<Ranks>> make_mpi_ranks(long long processes) {
 
 }  // namespace
 
+// The environment variables are those of Open MPI and MPICH.
+long long processes_of_mpirun() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    if (const char* size = std::getenv(name)) return parse_integer(size).value_or(0);
+  }
+  return 0;
+}
+
 Result<std::unique_ptr<Ranks>> make_ranks() {
-  const long long processes = processes_started();
+  const long long processes = processes_of_mpirun();
   if (processes > 1) return make_mpi_ranks(processes);
   return std::unique_ptr<Ranks>(std::make_unique<OneProcess>());
 }

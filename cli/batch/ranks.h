@@ -35,6 +35,9 @@ class Ranks {
   [[nodiscard]] bool is_first() const { return rank() == 0; }
 };
 
+/// Returns how many processes mpirun started; 0: mpirun did not start this one.
+[[nodiscard]] long long processes_of_mpirun();
+
 /// Makes the ranks of mpirun, if it started this process; else those of this process alone. Errors: module-missing, and
 /// usage if mpirun started several processes of a program without MPI, which would all do the same work.
 [[nodiscard]] Result<std::unique_ptr<Ranks>> make_ranks();

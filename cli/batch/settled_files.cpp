@@ -28,6 +28,10 @@ namespace fs = std::filesystem;
 
 constexpr double kSettled_s = 1;
 
+FileStamp stamp_of(const struct stat& file) {
+  return {file.st_mtim.tv_sec * std::int64_t{1'000'000'000} + file.st_mtim.tv_nsec, file.st_size};
+}
+
 bool is_passed_over(const std::string& name) {
   constexpr std::string_view kTemporary[] = {"~", ".tmp", ".part", ".partial", ".crdownload", ".swp", ".lock"};
   return name.starts_with('.') ||
@@ -36,7 +40,8 @@ bool is_passed_over(const std::string& name) {
 
 }  // namespace
 
-SettledFiles::SettledFiles(const std::string& place) : folder_(place), pattern_("*") {
+SettledFiles::SettledFiles(const std::string& place, std::string output)
+    : folder_(place), pattern_("*"), output_(std::move(output)) {
   std::error_code ignored;
   is_whole_folder_ = fs::is_directory(place, ignored);
   if (is_whole_folder_) return;
@@ -45,28 +50,52 @@ SettledFiles::SettledFiles(const std::string& place) : folder_(place), pattern_(
 }
 
 FileStamps SettledFiles::look(double now_s) {
+  found_ = is_whole_folder_ ? folders_in(folder_, output_) : FoldersFound{{folder_}, {}};
   std::map<std::string, Seen> now;
   FileStamps settled;
-  std::error_code ignored;
-  for (fs::directory_iterator entry(folder_, ignored), end; entry != end; entry.increment(ignored)) {
-    const std::string path = entry->path().string(), name = entry->path().filename().string();
-    struct stat file {};
-    if (is_passed_over(name) || ::fnmatch(pattern_.c_str(), name.c_str(), 0) != 0) continue;
-    // A link that leads nowhere is no less settled than a file: its job fails, and so it is not overlooked.
-    const bool leads_nowhere = ::stat(path.c_str(), &file) != 0 && entry->is_symlink(ignored);
-    if (!leads_nowhere && !S_ISREG(file.st_mode)) continue;
-    const FileStamp stamp{file.st_mtim.tv_sec * std::int64_t{1'000'000'000} + file.st_mtim.tv_nsec, file.st_size};
-    const auto before = seen_.find(path);
-    const double since_s = before != seen_.end() && before->second.stamp == stamp ? before->second.since_s : now_s;
-    now[path] = {stamp, since_s};
-    if (now_s - since_s >= kSettled_s) settled[path] = stamp;
-  }
+  for (const std::string& folder : found_.folders) look_into(folder, now_s, now, settled);
   seen_ = std::move(now);
   is_unsettled_ = settled.size() < seen_.size();
   return settled;
 }
 
-namespace fs = std::filesystem;
+void SettledFiles::look_into(const std::string& folder, double now_s, std::map<std::string, Seen>& now,
+                             FileStamps& settled) const {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
+    const std::string path = entry->path().string(), name = entry->path().filename().string();
+    if (is_passed_over(name) || ::fnmatch(pattern_.c_str(), name.c_str(), 0) != 0) continue;
+    struct stat file {};
+    // A link that leads nowhere is no less settled than a file: its job fails, and so it is not overlooked.
+    const bool leads_nowhere = ::stat(path.c_str(), &file) != 0 && entry->is_symlink(ignored);
+    if (!leads_nowhere && !S_ISREG(file.st_mode)) continue;
+    const FileStamp stamp = stamp_of(file);
+    const auto before = seen_.find(path);
+    const double since_s = before != seen_.end() && before->second.stamp == stamp ? before->second.since_s : now_s;
+    now[path] = {stamp, since_s};
+    if (now_s - since_s >= kSettled_s) settled[path] = stamp;
+  }
+}
+
+SettledInputs::SettledInputs(std::vector<std::string> files, double now_s)
+    : files_(std::move(files)), seen_(stamps()), settled_(seen_), since_s_(now_s) {}
+
+FileStamps SettledInputs::look(double now_s) {
+  FileStamps now = stamps();
+  if (now != seen_) since_s_ = now_s;
+  seen_ = std::move(now);
+  if (now_s - since_s_ >= kSettled_s) settled_ = seen_;
+  return settled_;
+}
+
+FileStamps SettledInputs::stamps() const {
+  FileStamps stamps;
+  for (const std::string& name : files_) {
+    struct stat file {};
+    if (::stat(name.c_str(), &file) == 0) stamps[name] = stamp_of(file);
+  }
+  return stamps;
+}
 
 Outcome write_batch_files(ReportFolder& folder, const std::vector<JobResult>& results, const SignOff& sign_off) {
   const Outcome staged = folder.stage({{kBatchPageName, write_batch_page(results, sign_off), ""},

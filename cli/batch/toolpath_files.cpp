@@ -53,29 +53,33 @@ class FolderWalk {
   FolderWalk(const std::string& output, bool are_programs)
       : own_(canonical_place(output)), are_programs_(are_programs) {}
 
-  /// Adds the toolpaths of a folder, unless it was looked into before. Errors: folder-unreadable.
-  Outcome look_into(const std::string& folder) {
-    if (!seen_.insert(canonical_place(folder)).second) return Done{};
+  /// Adds the toolpaths of a folder, unless it was looked into before.
+  void look_into(const std::string& folder) {
+    if (!seen_.insert(canonical_place(folder)).second) return;
+    found_.folders.push_back(folder);
     std::error_code failed;
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-      if (at->path().filename().string().starts_with('.')) continue;
-      if (const Outcome taken = take(at->path().string()); !taken) return taken;
+      if (!at->path().filename().string().starts_with('.')) take(at->path().string());
     }
-    if (failed) return make_error("folder-unreadable", "the folder cannot be read: " + failed.message(), folder);
-    return Done{};
+    if (failed)
+      found_.unreadable.push_back(
+          make_error("folder-unreadable", "the folder cannot be read: " + failed.message(), folder));
   }
 
   [[nodiscard]] std::vector<std::string> files() const { return {files_.begin(), files_.end()}; }
+  [[nodiscard]] const FoldersFound& found() const { return found_; }
 
  private:
   // A link that leads nowhere is taken: its job fails, and so it is not overlooked.
-  Outcome take(const std::string& place) {
+  void take(const std::string& place) {
     std::error_code ignored;
     const fs::file_status status = fs::status(place, ignored);
-    if (fs::is_directory(status)) return is_result(place) ? Outcome(Done{}) : look_into(place);
+    if (fs::is_directory(status)) {
+      if (!is_result(place)) look_into(place);
+      return;
+    }
     const bool may_be_read = fs::is_regular_file(status) || !fs::exists(status);
     if (may_be_read && has_toolpath_ending(place, are_programs_)) files_.insert(place);
-    return Done{};
   }
 
   /// Returns whether a folder is that of the results of a batch, this one or another. Corrected toolpaths lie in it.
@@ -86,6 +90,7 @@ class FolderWalk {
   std::string own_;
   bool are_programs_;
   std::set<std::string> seen_, files_;
+  FoldersFound found_;
 };
 
 template <std::size_t count>
@@ -132,7 +137,8 @@ Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& 
       continue;
     }
     FolderWalk walk(output, are_programs);
-    if (const Outcome looked = walk.look_into(place); !looked) return looked.error();
+    walk.look_into(place);
+    if (const Diagnostics& unreadable = walk.found().unreadable; !unreadable.empty()) return unreadable.front();
     const std::vector<std::string> found = walk.files();
     if (found.empty())
       return make_error(
@@ -143,6 +149,12 @@ Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& 
     all.insert(all.end(), found.begin(), found.end());
   }
   return all;
+}
+
+FoldersFound folders_in(const std::string& folder, const std::string& output) {
+  FolderWalk walk(output, false);
+  walk.look_into(folder);
+  return walk.found();
 }
 
 std::vector<std::string> names_of_toolpaths(const std::vector<std::string>& paths) {

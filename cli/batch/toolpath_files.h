@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/diagnostic.h"
 #include "lib/base/result.h"
 
 namespace gouge {
@@ -19,6 +20,13 @@ namespace gouge {
 /// file. Errors: usage, if a folder has no toolpath; folder-unreadable.
 [[nodiscard]] Result<std::vector<std::string>> expand_folders(const std::vector<std::string>& places,
                                                               const std::string& output, bool are_programs);
+
+/// Folders in which toolpaths may lie.
+struct FoldersFound {
+  std::vector<std::string> folders;  ///< a folder, and those below it, as expand_folders looks into them
+  Diagnostics unreadable;            ///< errors of those that cannot be read (folder-unreadable)
+};
+[[nodiscard]] FoldersFound folders_in(const std::string& folder, const std::string& output);
 
 /// Returns a name for each toolpath, by which it can be told from the others. It is the name of the file without its
 /// ending. Equal names get the ending, or else the names of the folders that differ: "rough-op10". Names of one file

@@ -1,7 +1,5 @@
 #include "cli/output/report_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
@@ -33,7 +31,6 @@ Outcome unwritable(const std::string& path, const std::string& why) {
 ReportFolder::~ReportFolder() {
   staged_.clear();
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
-  if (lock_ >= 0) ::close(lock_);
 }
 
 Outcome ReportFolder::open() {
@@ -44,22 +41,11 @@ Outcome ReportFolder::open() {
 }
 
 Outcome ReportFolder::lock() {
-  if (lock_ >= 0) return Done{};
-  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0)
-    return make_error("folder-unwritable", "cannot read the folder: " + std::string(std::strerror(errno)), folder_);
-  // On a file system without locks, the user must avoid two reports at once.
-  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Done{};
-  ::close(std::exchange(lock_, -1));
-  if (has_name(names_, kBatchSummaryName))
-    return make_error("store-busy",
-                      "another gougecheck works in this folder of a batch; run this one when it has ended, or name "
-                      "another folder",
-                      folder_);
-  return make_error(
-      "report-busy",
-      "another gougecheck is about to write its report here; expected a folder for each, or one after the other",
-      folder_);
+  if (lock_ || is_locked_) return Done{};
+  Result<ReportLock> lock = ReportLock::take(folder_, has_name(names_, kBatchSummaryName));
+  if (!lock) return lock.error();
+  lock_.emplace(std::move(*lock));
+  return Done{};
 }
 
 Outcome ReportFolder::make() {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/output/report_lock.h"
 #include "lib/base/diagnostic.h"
 #include "lib/base/result.h"
 #include "lib/base/staged_file.h"
@@ -38,6 +39,9 @@ class ReportFolder {
   /// Restores the folder if commit() was not called; a folder that was made is removed.
   ~ReportFolder();
 
+  /// States, before open(), that the caller holds the ReportLock of the folder.
+  void set_locked() { is_locked_ = true; }
+
   /// Locks the folder, if it exists, until the end, and finds files that prevent a report. Changes nothing. Errors:
   /// report-busy (another process has the folder), report-foreign.
   [[nodiscard]] Outcome open();
@@ -68,7 +72,8 @@ class ReportFolder {
   std::string folder_, toolpath_, replaced_;
   bool is_forced_;
   const std::vector<std::string>& names_;
-  int lock_ = -1;                       // handle of the locked folder
+  bool is_locked_ = false;  // by the caller
+  std::optional<ReportLock> lock_;
   std::vector<std::string> made_;       // folders made for the report, the outermost first
   std::vector<ManifestEntry> present_;  // present files with names of the report
   std::vector<ManifestEntry> new_;
