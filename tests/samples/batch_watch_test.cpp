@@ -86,5 +86,72 @@ TEST(Batch, WatchesOnWhileAQueryHoldsTheStore) {
   EXPECT_NE(ran.out.find("ended 143\n"), std::string::npos) << ran.out << ran.err;
 }
 
+const char* const kWaitFor =
+    "wait_for() { for i in $(seq 600); do grep -q \"$1\" $2 2>/dev/null && return; sleep 0.1; done; echo no $1; }\n";
+const char* const kOfNeedles = " --part needles/part.stl --tools needles/tools.json --no-reports ";
+
+// One file with an odd name must end neither the watch nor its next start.
+TEST(Batch, WatchesOnAfterAFileWithANameThatNoJobCanHave) {
+  const std::string folder = samples_with_list({"needles"});
+  const Outcome ran = run_script(
+      folder, std::string("mkdir hot; cp needles/needles.apt hot/first.apt\n") + kWaitFor +
+                  "$GOUGECHECK batch --watch hot -o out" + kOfNeedles + "> log & watch=$!\n" +
+                  "wait_for '^report: ' log\n"
+                  "for name in 'bad .apt' -dash.apt $(printf 'x%.0s' $(seq 120)).apt 'a\nb.apt'; do "
+                  "cp needles/needles.apt \"hot/$name\"; done\n"
+                  "wait_for '4 failed' log; mkdir -p hot/op10/below; cp needles/needles.apt hot/op10/below/last.apt\n"
+                  "wait_for '^last ' log; kill -TERM $watch; wait $watch; echo ended $?\n"
+                  "$GOUGECHECK batch hot -o out" +
+                  kOfNeedles + "; echo batch $?");
+  EXPECT_EQ(ran.out.find("no "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("ended 143\n"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("the name of a job, 'bad ', begins or ends with a blank"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("[job-name]"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("6 jobs taken from the store, 0 run"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("batch 3\n"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.err.find("the watch ended with 6 jobs: "), std::string::npos) << ran.err;
+}
+
+TEST(Batch, RefusesASecondBatchInTheFolderOfAWatch) {
+  const std::string folder = samples_with_list({"needles"});
+  const Outcome ran = run_script(
+      folder, std::string("mkdir hot other; cp needles/needles.apt other\n") + kWaitFor +
+                  "$GOUGECHECK batch other -o out -q" + kOfNeedles + "; cp needles/needles.apt hot/first.apt\n" +
+                  "$GOUGECHECK batch --watch hot -o out" + kOfNeedles + "> log 2> errors & watch=$!\n" +
+                  "wait_for '^report: ' log; sleep 1\n"
+                  "$GOUGECHECK batch --watch other -o out" +
+                  kOfNeedles + "; echo second $?\n" + "$GOUGECHECK batch other -o out" + kOfNeedles +
+                  "; echo third $?\n" + "kill -TERM $watch; wait $watch; cat errors");
+  EXPECT_NE(ran.out.find("second 5\nthird 5\n"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("[store-busy]"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("[batch-replaced]"), std::string::npos) << ran.out;
+}
+
+TEST(Batch, RunsFailedJobsOfAWatchAgainWhenTheirPartIsThere) {
+  const std::string folder = samples_with_list({"needles"});
+  const Outcome ran = run_script(
+      folder,
+      std::string("mkdir hot; cp needles/needles.apt hot/first.apt\n") + kWaitFor +
+          "$GOUGECHECK batch --watch hot -o out --part later.stl --tools needles/tools.json --no-reports > log & "
+          "watch=$!\n"
+          "wait_for '1 failed' log; cp needles/part.stl later.stl; wait_for '274 ' log\n"
+          "kill -TERM $watch; wait $watch");
+  EXPECT_EQ(ran.out.find("no "), std::string::npos) << ran.out << ran.err;
+}
+
+TEST(Batch, RefusesOptionsThatAWatchCannotFollow) {
+  const std::string folder = samples_with_list({"needles"});
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--stop-on", "gouge"}, {"--fresh"}}) {
+    std::vector<std::string> words = {"batch", "--watch", "needles", "--part", "needles/part.stl", "-o", "out"};
+    words.insert(words.end(), option.begin(), option.end());
+    const Outcome ran = run_gougecheck(folder, words);
+    EXPECT_EQ(ran.exit_status, 2);
+    EXPECT_NE(ran.err.find("error: " + option.front() + " "), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("--watch"), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.err.find("--resume"), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder + "/out"));
+  }
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::batch_watch_test
