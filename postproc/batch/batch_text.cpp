@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
@@ -22,16 +23,46 @@ TableRow text_row(const JobResult& job) {
           time_text(job.seconds),      printable(deepest_text(job))};
 }
 
-// Returns the line with the reason why a job failed or is not fully checked, or the number of rapids left out; empty: it has
-// neither.
-std::string reason_line(const JobResult& job) {
+// Returns "3 moves not checked, 1 move not certified", or nothing. Rapids that were left out have a remark of their own.
+std::string open_moves_text(const StateCounts& counts) {
+  std::vector<std::string> parts;
+  const std::size_t not_checked = counts.not_checked - std::min(counts.skipped, counts.not_checked);
+  if (not_checked > 0) parts.push_back(count_text(not_checked, "move") + " not checked");
+  if (counts.not_certified > 0) parts.push_back(count_text(counts.not_certified, "move") + " not certified");
+  return listed(parts);
+}
+
+// Returns the warnings with which even a gouge may be none: the part or the stock seems to lie elsewhere.
+std::vector<std::string> misplacements(const JobResult& job) {
+  constexpr std::array<std::string_view, 4> kCodes = {"path-unit", "path-setup", "scene-misplaced", "stock-misplaced"};
+  std::vector<std::string> texts;
+  for (const Diagnostic& warning : job.warnings()) {
+    if (std::ranges::find(kCodes, warning.code) != kCodes.end()) texts.push_back(to_text(warning));
+  }
+  return texts;
+}
+
+// Returns what a reader of the table must know of a job: why it failed or is not fully checked, the number of rapids left
+// out, or that something seems misplaced.
+std::vector<std::string> reasons(const JobResult& job) {
   const bool is_open = job.verdict() == std::string_view("not-fully-checked");
-  if (job.counts.skipped > 0 && !is_open) return job.name + ": " + left_out_text(job.counts.skipped);
-  if (!job.status || !(job.unit.empty() || is_open)) return {};
-  const std::vector<std::string> remarks = job.remarks();
-  if (remarks.empty()) return job.unit.empty() ? job.name + ": status " + std::to_string(*job.status) : std::string();
-  return job.name + ": " + remarks.front() +
-         (remarks.size() > 1 ? "; and " + count_text(remarks.size() - 1, "more remark") : "");
+  if (!job.status) return {};
+  if (job.unit.empty() || is_open) {
+    std::vector<std::string> all = job.remarks();
+    if (const std::string moves = open_moves_text(job.counts); is_open && !moves.empty()) all.push_back(moves);
+    if (all.empty() && job.unit.empty()) all.push_back("status " + std::to_string(*job.status));
+    return all;
+  }
+  std::vector<std::string> all = misplacements(job);
+  if (job.counts.skipped > 0) all.insert(all.begin(), left_out_text(job.counts.skipped));
+  return all;
+}
+
+// Returns a line with the first reason, and the number of the others; empty: there is none.
+std::string reason_line(const JobResult& job) {
+  const std::vector<std::string> all = reasons(job);
+  if (all.empty()) return {};
+  return job.name + ": " + all.front() + (all.size() > 1 ? "; and " + count_text(all.size() - 1, "more remark") : "");
 }
 
 }  // namespace

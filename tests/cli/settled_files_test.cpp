@@ -76,5 +76,39 @@ TEST(SettledFiles, HoldLinksThatLeadNowhere) {
   EXPECT_EQ(settled.begin()->first, temporary.at("dead.apt"));
 }
 
+TEST(SettledFiles, AreThoseOfAFolderAndBelowItWithoutResultsOfBatches) {
+  const TemporaryFolder temporary;
+  const std::string folder = temporary.path();
+  for (const char* below : {"op10/deep", "own/corrected", "other/corrected", ".hidden"})
+    fs::create_directories(folder + "/" + below);
+  add(folder + "/other/summary.json", "{}");
+  for (const char* name : {"a.apt", "op10/deep/b.apt", "own/corrected/c.apt", "other/corrected/d.apt", ".hidden/e.apt"})
+    add(folder + "/" + name, "FINI\n");
+  SettledFiles files(folder, folder + "/own");
+  static_cast<void>(files.look(0));
+  const FileStamps settled = files.look(1);
+  EXPECT_EQ(settled.size(), 2U);
+  EXPECT_TRUE(settled.contains(folder + "/op10/deep/b.apt"));
+  EXPECT_EQ(files.folders().size(), 3U);
+  SettledFiles like(folder + "/*.apt");
+  static_cast<void>(like.look(0));
+  EXPECT_EQ(like.look(1).size(), 1U) << "a pattern is of one folder";
+}
+
+TEST(SettledInputs, CountOnceNoneHasChangedForASecond) {
+  const TemporaryFolder temporary;
+  const std::string part = temporary.at("part.stl");
+  SettledInputs inputs({part}, 10);
+  EXPECT_TRUE(inputs.look(10).empty());
+  add(part, "solid");
+  EXPECT_TRUE(inputs.look(11).empty());
+  EXPECT_TRUE(inputs.is_unsettled());
+  EXPECT_EQ(inputs.look(12).size(), 1U);
+  EXPECT_FALSE(inputs.is_unsettled());
+  fs::remove(part);
+  EXPECT_EQ(inputs.look(13).size(), 1U);
+  EXPECT_TRUE(inputs.look(14).empty());
+}
+
 }  // namespace
 }  // namespace gouge::settled_files_test

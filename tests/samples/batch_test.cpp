@@ -433,5 +433,16 @@ TEST(Batch, LooksIntoLinkedFoldersAndOverlooksNoDeadLink) {
                                                            << ran.out << ran.err;
 }
 
+TEST(Batch, NamesBesideAJobWithGougesThatItsStockIsMisplaced) {
+  const std::string folder = samples_with_list({"pocket"});
+  write_text(folder + "/stock.json",
+             R"({"jobs": [{"path": "pocket/pocket.apt", "part": "pocket/part.stl", "tools": "pocket/tools.json",
+                           "stock": "pocket/clamp.stl"}]})");
+  const Outcome ran = run_batch(folder, {"stock.json", "-o", "out"});
+  EXPECT_NE(ran.out.find("1 job: 1 gouges"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("\npocket: "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("[stock-misplaced]"), std::string::npos) << ran.out;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::batch_test
