@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// How one run of a batch ended.
+/// The end of one run of a batch.
 struct BatchEnd {
   int status = 0;
   bool is_done = false;  ///< the jobs have run, with any outcome, and their results are written
