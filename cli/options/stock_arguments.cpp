@@ -129,7 +129,9 @@ const OptionRows<JobArguments>& stock_options() {
       {.name = "--stock-tolerance",
        .field = &A::stock_tolerance,
        .type = "LENGTH",
-       .help = "Maximum depth that remaining stock may have in a body of the tool (default 0.1)",
+       .help =
+           "Maximum depth that remaining stock may have in a body of the tool (default 0.1). Clear moves are proved to "
+           "this depth and three times --stock-resolution",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .needs = "--stock"},

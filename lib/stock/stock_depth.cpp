@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/check/stock_bounds.h"
 #include "lib/stock/stock_search.h"
 #include "lib/tool/evaluate.h"
 
@@ -31,6 +32,8 @@ StockDepth find_depth(const StockQuestion& question, const Motion& motion, const
       break;
     }
   }
+  // The proofs count cutters as wider and the stock as smaller.
+  deepest.upper_mm = std::min(upper_mm, deepest.upper_mm + beyond_wider_cuts_mm(question.options.resolution_mm));
   return deepest;
 }
 

@@ -33,8 +33,10 @@ struct ClaimedStock {
   std::vector<ClaimedProgram> programs;  ///< in the order of time; the last is the path of the claims
   std::vector<SolidDepth> heads = {};    ///< bodies that move with the tools of that path, in the tool's frame
 
-  /// Returns the depth that a clear move does not exceed.
+  /// Returns the depth that is proved for clear moves, with cutters wider and the stock smaller by the resolution.
   [[nodiscard]] double largest_clear_mm() const { return tolerance_mm + resolution_mm; }
+  /// Returns how much deeper other material may be than what is proved so.
+  [[nodiscard]] double beyond_proof_mm() const { return 2 * resolution_mm; }
 };
 
 /// Tests witnesses of findings in stock, and searches for stock in moves that claim to be clear of it.

@@ -33,6 +33,13 @@ bool StockClaims::is_of_clear_move(std::size_t move) const {
   return std::abs(*depths_[move] - stock_.largest_clear_mm()) <= kSame_mm;
 }
 
+// A claim that the body is not wider than it is needs no proof.
+double StockClaims::proved_depth_mm(std::size_t move) const {
+  const double claimed_mm = *depths_[move];
+  if (is_of_clear_move(move) || claimed_mm >= programs_.last().body_of(move).largest_radius_mm()) return claimed_mm;
+  return claimed_mm - stock_.beyond_proof_mm();
+}
+
 class StockClaims::Search final : public ProofSearch {
  public:
   explicit Search(const StockClaims& claims) : claims_(claims), cuts_(claims.programs_, claims.stock_.resolution_mm) {}
@@ -41,9 +48,10 @@ class StockClaims::Search final : public ProofSearch {
     const auto pieces = pieces_of_moves(claims_.programs_.last().scene(), first, count);
     if (!pieces) return false;
     const std::uint64_t tries = count > 1 ? kStockTriesPerMove * count : kStockTriesAlone;
-    return find_stock_proof({claims_.programs_.last().body_of(first), claims_.programs_, claims_.space_,
-                             *claims_.depths_[first], claims_.stock_.resolution_mm, pieces->motion, pieces->of_piece},
-                            cuts_, tries, steps);
+    return find_stock_proof(
+        {claims_.programs_.last().body_of(first), claims_.programs_, claims_.space_, claims_.proved_depth_mm(first),
+         claims_.stock_.resolution_mm, pieces->motion, pieces->of_piece},
+        cuts_, tries, steps);
   }
 
  private:
@@ -57,7 +65,7 @@ std::optional<ProofRefutation> StockClaims::refute(const ProofGroup& group) cons
   const auto pieces = pieces_of_moves(programs_.last().scene(), group.first, group.count);
   if (!pieces) return ProofRefutation{group.first, Vec3::Zero(), "its motion is not defined"};
   ProofFault fault;
-  if (follow_stock_proof({programs_.last().body_of(group.first), programs_, space_, *depths_[group.first],
+  if (follow_stock_proof({programs_.last().body_of(group.first), programs_, space_, proved_depth_mm(group.first),
                           stock_.resolution_mm, pieces->motion, pieces->of_piece},
                          group.steps, fault))
     return std::nullopt;

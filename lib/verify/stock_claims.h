@@ -32,6 +32,9 @@ class StockClaims final : public ProofSubject {
   class Search;
 
   [[nodiscard]] bool is_of_clear_move(std::size_t move) const;
+  /// Returns the depth that a proof is about. It counts cutters as wider and the stock as smaller, so it is less than the
+  /// claimed one.
+  [[nodiscard]] double proved_depth_mm(std::size_t move) const;
 
   const ClaimedStock& stock_;
   const StockDepths& depths_;

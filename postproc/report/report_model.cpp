@@ -8,6 +8,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
 #include "lib/base/tolerance.h"
+#include "lib/check/stock_bounds.h"
 #include "postproc/record/words.h"
 #include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
@@ -252,7 +253,8 @@ std::string stock_text(const ReportModel& model) {
   const StockFacts& facts = *model.result->stock;
   const LengthUnit unit = model.toolpath->unit;
   return std::to_string(facts.clear) + " of " + count_text(facts.examined, "move") +
-         " examined are clear of remaining stock to " + length_text(facts.tolerance_mm, unit) +
+         " examined are clear of remaining stock to " +
+         length_text(largest_clear_stock_mm(facts.tolerance_mm, facts.resolution_mm), unit) +
          "; material thinner than " + length_text(2 * facts.resolution_mm, unit) +
          " counts as removed, and pieces that are cut free stay where they are";
 }

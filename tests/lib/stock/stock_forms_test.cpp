@@ -28,8 +28,9 @@ void expect_depth(const StockResult& result, std::size_t move, double exact_mm) 
   EXPECT_EQ(finding.move, move);
   ASSERT_TRUE(finding.witness.has_value());
   EXPECT_LE(finding.witness->depth_mm, exact_mm + 1e-6);
-  EXPECT_GE(finding.depth_upper_mm, exact_mm - 2 * kResolution_mm);
-  EXPECT_LE(finding.depth_upper_mm - finding.witness->depth_mm, std::max(0.1 * exact_mm, 5 * kResolution_mm));
+  EXPECT_GE(finding.depth_upper_mm, exact_mm - 1e-6);
+  EXPECT_LE(finding.depth_upper_mm - finding.witness->depth_mm,
+            std::max(0.1 * exact_mm, 5 * kResolution_mm) + 2 * kResolution_mm);
 }
 
 /// A helix about the Z axis from the face of the block, with a full circle at its end.
