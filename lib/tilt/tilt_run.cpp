@@ -10,6 +10,7 @@
 #include "lib/contact/contacts.h"
 #include "lib/geom/shortest_turn.h"
 #include "lib/path/path_info.h"
+#include "lib/tilt/feed_directions.h"
 
 namespace gouge {
 namespace {
@@ -247,16 +248,6 @@ class Measurer {
   const ToolVariants& tool_;
 };
 
-/// Returns whether the feed changes direction abruptly. There lead and side tilts change places, so the axis stays as
-/// programmed.
-bool is_corner(const std::vector<TiltPosition>& all, std::size_t i) {
-  constexpr double kSameFeed = 0.98;  // 11 degrees
-  if (i == 0 || i + 1 == all.size()) return false;
-  const Vec3 here = all[i].programmed.tip;
-  const Vec3 into = here - all[i - 1].programmed.tip, out = all[i + 1].programmed.tip - here;
-  return into.dot(out) < kSameFeed * into.norm() * out.norm();
-}
-
 }  // namespace
 
 // The directions turn only as much as the axis turns. For a lead or side tilt the first one follows the feed.
@@ -267,16 +258,11 @@ TiltRun with_freedom(TiltRun run, TiltFreedom freedom) {
     const Vec3& axis = all[i].programmed.axis;
     const Vec3& before = all[i > 0 ? i - 1 : 0].programmed.axis;
     first = shortest_turn(before, axis) * first;
-    if (freedom != TiltFreedom::both) {
-      const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
-      const Vec3 across = feed - feed.dot(axis) * axis;
-      if (across.norm() > 1e-3 * feed.norm() && across.norm() > Tolerance::kNoSide) first = across;
-      if (is_corner(all, i)) all[i].given = Tilt::Zero();
-    }
     first = (first - first.dot(axis) * axis).normalized();
     all[i].first = first;
-    all[i].second = axis.cross(first);
   }
+  if (freedom != TiltFreedom::both) follow_feed(all);
+  for (TiltPosition& at : all) at.second = at.programmed.axis.cross(at.first);
   return run;
 }
 
