@@ -118,10 +118,17 @@ std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& 
   };
   const auto way = [&, rise_from = rise_from, rise_to = rise_to](double lift) {
     const double depth = check(motion_between(from.pose(), to.pose())).depth_mm;
+    // A rapid need not rise at an end from or to which the crossing keeps the clearance.
+    const bool may_be_direct = is_rapid && !has_stock;
+    const bool is_end_direct =
+        may_be_direct && is_clean(retracted(from.pose(), rise_from + lift), to.pose(), clearance_mm);
+    const bool is_start_direct =
+        may_be_direct && !is_end_direct && is_clean(from.pose(), retracted(to.pose(), rise_to + lift), clearance_mm);
     LinkNodes nodes;
     for (const auto& [node, rise] : {std::pair(&from, rise_from + lift), std::pair(&to, rise_to + lift)}) {
       const Pose stop = retracted(node->pose(), rise);
-      if (rise > 0 && !is_same_place(stop, to.pose()))
+      const bool is_direct = node == &from ? is_start_direct : is_end_direct;
+      if (rise > 0 && !is_direct && !is_same_place(stop, to.pose()))
         nodes.push_back({link_stop(node->pose(), stop, rise, depth), node->t});
     }
     return nodes;
@@ -209,7 +216,8 @@ std::optional<LinkNodes> LinkFinder::find_rapid(const LinkNode& u, const LinkNod
   const double clearance = task_.rapid_clearance_mm;
   if (is_clean(u.pose(), v.pose(), clearance)) return LinkNodes{};
   const bool is_straight_clean = clearance > 0 && is_clean(u.pose(), v.pose());
-  if (is_straight_clean && task_.is_free_as_programmed) return LinkNodes{};
+  if (is_straight_clean && (task_.is_free_as_programmed || keeps_beyond_contacts(u.pose(), v.pose())))
+    return LinkNodes{};
   if (clearance > 0 || task_.checker->has_stock()) {
     if (auto waypoints = over(u, v, clearance)) return waypoints;
     // No way leads out of stock in which the tool is at an end.

@@ -37,9 +37,9 @@ struct LinkTask {
 /// In a gap between these intervals, and in other motions, the worst instant is corrected, and both halves are bridged
 /// in turn. If that does not end, the tool retracts along its axis, crosses, and comes down again.
 ///
-/// A rapid that must change takes the first possible path. The first choice is a straight path with the clearance. The
-/// next is to retract and cross with the clearance. Then it goes around the worst instants with the clearance.
-/// Otherwise it moves like a feed: clean, but without the clearance.
+/// A rapid that must change takes the first possible path. The first choice is a straight path with the clearance. At a
+/// contact at its start or end it need not have it. The next is to retract and cross with the clearance. Then it goes
+/// around the worst instants with the clearance. Otherwise it moves like a feed: clean, but without the clearance.
 ///
 /// A position on the straight path between its neighbours is left out if the motion is clean without it. Every shift
 /// obeys free_pose.

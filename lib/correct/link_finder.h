@@ -57,6 +57,11 @@ class LinkFinder {
   [[nodiscard]] Motion motion_between(const Pose& from, const Pose& to) const;
   [[nodiscard]] MoveVerdict check(const Motion& motion) const;
 
+  // leave_contact.cpp: a straight rapid from or to a contact
+  [[nodiscard]] bool keeps_beyond_contacts(const Pose& from, const Pose& to) const;
+  [[nodiscard]] std::optional<double> way_to_leave_mm(const Pose& from, const Pose& to) const;
+  [[nodiscard]] bool is_leaving(const Pose& from, const Pose& away) const;
+
   // keep_to_programmed.cpp: a path that stays on the programmed motion where that is clean
   std::optional<LinkNodes> keep_to_programmed(const LinkNode& u, const LinkNode& v);
   std::optional<std::size_t> chain(const LinkNode& u, const LinkNode& v, LinkNodes& waypoints);
