@@ -20,9 +20,10 @@ Pose moved(const Pose& from, const Vec3& along, double way_mm) { return {from.ti
 bool LinkFinder::keeps_beyond_contacts(const Pose& from, const Pose& to) const {
   const Vec3 way = to.tip - from.tip;
   const double length = way.norm();
+  const MotionLaw& law = task_.options.law;
   const bool is_fixed_axis = (from.axis - to.axis).norm() <= Tolerance::kFileAxis;
   const bool is_along_one = way.cwiseAbs().maxCoeff() >= length - Tolerance::kSamePoint_mm;
-  const bool is_straight = task_.options.law.is_divisible(MoveKind::rapid) || is_along_one;
+  const bool is_straight = (law.rapid() != RapidMode::dogleg || is_along_one) && !law.bends_without_turning();
   if (!is_fixed_axis || !is_straight || !(length > Tolerance::kSamePoint_mm)) return false;
   const std::optional<double> begin_mm = way_to_leave_mm(from, to), end_mm = way_to_leave_mm(to, from);
   // Where both parts meet, the rapid is near nothing except its ends.

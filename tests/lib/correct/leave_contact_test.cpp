@@ -72,6 +72,9 @@ TEST(LeaveContact, ARapidThatGrazesThePartElsewhereGetsItsClearance) {
   Case c = rapid_to(upright(40, 0, 30), {shapes::box(Vec3(16, -50, -1), Vec3(24, 50, 10.375))});
   const std::vector<Pose> inserted = inserted_in_rapid(c);
   ASSERT_FALSE(inserted.empty());
+  Case near = c;
+  near.correct.rapid_clearance_mm = 0.2;
+  EXPECT_TRUE(inserted_in_rapid(near).empty()) << "the line itself is clean and keeps this clearance";
   c.options.tolerance_mm = 0;
   c.options.near_miss_mm = 0.99;
   std::vector<Pose> beyond = inserted;
