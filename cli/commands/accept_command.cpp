@@ -88,8 +88,8 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
   std::ranges::sort(findings);
   if (const auto twice = std::ranges::adjacent_find(findings); twice != findings.end())
     return make_error("usage", "--finding names finding " + twice->text() + " twice; expected each once");
-  for (const auto& [option, typed] : {std::pair("--reason", &a.reason), std::pair("--by", &a.by)})
-    if (!is_utf8(*typed) || !is_one_line(*typed)) return usage_error(option, *typed, "one line of text in UTF-8");
+  if (!is_utf8(a.reason)) return usage_error("--reason", a.reason, "text in UTF-8");
+  if (!is_utf8(a.by) || !is_one_line(a.by)) return usage_error("--by", a.by, "one line of text in UTF-8");
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
   if (is_blank(a.by)) return make_error("usage", "accept needs --by, who accepts it");
   if (a.output.empty())

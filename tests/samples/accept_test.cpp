@@ -214,7 +214,7 @@ TEST_F(Accept, TheFileLosesNothingAndTakesNothingTwice) {
             2);
 }
 
-TEST_F(Accept, NamesAndReasonsAreOneLine) {
+TEST_F(Accept, NamesAreOneLine) {
   ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
   const Outcome ran = shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "R.\nMiller", "-o", "f.json"});
   EXPECT_EQ(ran.exit_status, 2);
