@@ -158,6 +158,9 @@ class Command {
 
   [[nodiscard]] std::string unknown_option(const std::string& left, std::span<const char* const> words) const {
     const std::string word = as_typed(left, words);
+    if (word == "--")
+      return name_ + ": only files may stand behind '--'; expected the options before it: " + name_ +
+             " OPTIONS -- FILE";
     std::vector<std::string> names;
     for (const CLI::Option* option : app_->get_options()) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);

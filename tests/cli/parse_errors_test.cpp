@@ -29,6 +29,10 @@ std::string said(const std::vector<const char*>& words) {
 TEST(ParseErrors, AnUnknownOptionIsNamedWithTheOneThatWasMeant) {
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerence", "0.02"}),
             "gougecheck check has no option '--tolerence'; did you mean --tolerance?");
+  EXPECT_EQ(
+      said({"check", "--", "-dash.apt", "--part", "p.stl"}),
+      "gougecheck check: only files may stand behind '--'; expected the options before it: gougecheck check OPTIONS "
+      "-- FILE");
   EXPECT_EQ(said({"check", "a.apt", "--prat=p.stl"}), "gougecheck check has no option '--prat'; did you mean --part?");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--toler", "1"}),
             "gougecheck check has no option '--toler'; did you mean --tolerance?");
