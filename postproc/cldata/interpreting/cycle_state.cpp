@@ -54,7 +54,7 @@ void CycleState::take_changed_words() {
 void CycleState::set_countersink(std::optional<double> depth_mm) {
   if (!depth_mm) {
     drill_.reset();
-    why_ = in_.because(Reasons::kCycle);
+    why_ = in_.because(Reasons::kCountersink);
     return;
   }
   drill_->bottom_mm = -*depth_mm;

@@ -50,7 +50,7 @@ class CycleState {
   void note_low_plane() { below_clearance_.add(in_.line()); }
   void note_stray_end() { never_begun_.add(in_.line()); }
 
-  /// Sets the depth of the tool for DrillCycle::csink_mm; nothing: it is unknown, so the cycle is not understood.
+  /// Sets the depth of the tool for DrillCycle::csink_mm; nothing: it is unknown, so the cycle is not checked.
   void set_countersink(std::optional<double> depth_mm);
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] bool has_holes() const { return first_positions_ != kNone; }

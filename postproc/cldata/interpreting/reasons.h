@@ -19,6 +19,8 @@ struct Reasons {
       "a NURBS (MOVNRB) and positions on it: which of both the control runs the file does not say";
   static constexpr const char* kSpline = "a NURBS whose knots, points or axis are not those of a cubic curve";
   static constexpr const char* kCycle = "a cycle whose words are not understood";
+  static constexpr const char* kCountersink =
+      "a countersink (CSINK) to a diameter that the cone of its tool does not reach, or whose tool is not known";
   static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
   static constexpr const char* kAfterCutcom =
       "starts at a position compensated by CUTCOM, which need not be the cutter centre";

@@ -231,5 +231,18 @@ TEST(ReadMotion, NothingIsSweptAcrossCreoSequencesAndItIsReported) {
   EXPECT_TRUE(is_reported);
 }
 
+TEST(ReadCycles, ACountersinkThatItsToolDoesNotReachIsNamed) {
+  const auto reason_of = [](const std::string& diameter) {
+    const Toolpath path = path_of(
+        "TOOL PATH/D1,TOOL,DR8\nTLDATA/DRILL,8.0000,0.0000,118.0000,60.0000,0.0000\n"
+        "MSYS/0,0,0,1,0,0,0,1,0\nGOTO/50,50,20,0,0,1\nCYCLE/DRILL,CSINK," +
+        diameter + ",RAPTO,3.0000,MMPM,250.0000\nGOTO/50,50,0\nCYCLE/OFF\nEND-OF-PATH\n");
+    return std::string(path.moves.back().not_checked_reason);
+  };
+  EXPECT_EQ(reason_of("6.0000"), "");
+  EXPECT_TRUE(reason_of("9.0000").starts_with("a countersink (CSINK) to a diameter that the cone of its tool does not"))
+      << reason_of("9.0000");
+}
+
 }  // namespace
 }  // namespace gouge::read_motion_test
