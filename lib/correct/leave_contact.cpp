@@ -62,13 +62,13 @@ std::optional<double> LinkFinder::way_to_leave_mm(const Pose& from, const Pose& 
 /// Returns whether the distance grows on the way from a contact to a position with the clearance. It must be at least
 /// half of that of an even growth. The last eighth at the contact only has to be clean.
 bool LinkFinder::is_leaving(const Pose& from, const Pose& away) const {
-  constexpr int kHalvings = 3;
+  constexpr int kStretches = 3;
   constexpr double kShareOfEven = 0.5;
   const Vec3 way = away.tip - from.tip;
-  for (int k = 0; k < kHalvings; ++k) {
-    const double far = std::ldexp(1.0, -k), near = 0.5 * far;
-    const Pose inner{from.tip + near * way, from.axis}, outer{from.tip + far * way, from.axis};
-    if (!is_clean(inner, outer, kShareOfEven * near * task_.rapid_clearance_mm)) return false;
+  for (int k = 0; k < kStretches; ++k) {
+    const double end = std::ldexp(1.0, -k), begin = 0.5 * end;
+    const Pose inner{from.tip + begin * way, from.axis}, outer{from.tip + end * way, from.axis};
+    if (!is_clean(inner, outer, kShareOfEven * begin * task_.rapid_clearance_mm)) return false;
   }
   return true;
 }

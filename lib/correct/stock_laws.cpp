@@ -79,8 +79,7 @@ StockLaws::Examined StockLaws::examine(const Correction& correction, const Check
     }
   }
   std::ranges::sort(examined.blamed);
-  const auto again = std::ranges::unique(examined.blamed);
-  examined.blamed.erase(again.begin(), again.end());
+  examined.blamed.erase(std::unique(examined.blamed.begin(), examined.blamed.end()), examined.blamed.end());
   return examined;
 }
 

@@ -258,7 +258,8 @@ void draw_clearance(Page& page, const SectionPanel& panel, double beside_mm, con
   constexpr double kDash = 6, kGap = 4;
   for (const std::vector<Vec2>& points : outline_at(tool, clearance_mm)) {
     double along = 0;
-    for (const auto& [from, to] : seen_profile(points, beside_mm)) {
+    for (const auto& line : seen_profile(points, beside_mm)) {
+      const Vec2 from = line[0], to = line[1];
       const double length = (to - from).norm() / panel.mm_per_unit;
       for (double begin = 0; begin < length;) {
         const double in_period = std::fmod(along + begin, kDash + kGap);

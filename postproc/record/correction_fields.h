@@ -99,6 +99,8 @@ template <typename R>
 struct PerLength {
   R& angle;
 };
+template <typename R>
+PerLength(R&) -> PerLength<R>;
 
 template <typename F, typename R>
 void describe(F& f, const PerLength<R>& r) {
