@@ -312,9 +312,9 @@ class Batch {
 
   int finish() {
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
-    const Result<std::vector<JobResult>> read = store_->all();
+    Result<std::vector<JobResult>> read = store_->all();
     if (!read) return fail(err_, {read.error()}, kExitInternal);
-    results_ = *read;
+    results_ = std::move(*read);
     const std::vector<JobResult>& results = results_;
     const bool is_whole = std::ranges::all_of(results, [](const JobResult& job) { return job.status.has_value(); });
     warn_of_two_contents(results);

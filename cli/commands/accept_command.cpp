@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/acceptance_file.h"
@@ -122,6 +124,25 @@ void list(const std::string& job, const StoredResult& result, std::ostream& out)
   out << count_text(findings.size(), "finding") << " in " << printable(result.file) << "\n";
 }
 
+/// Adds an option with numbers and ranges of them, which may belong to jobs. Calls `take` for each number.
+void add_numbers_option(CLI::App& command, const char* name, bool may_name_jobs,
+                        std::function<void(const ChosenFinding&)> take, const char* help, const char* expected) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          name,
+          [take = std::move(take)](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) std::ranges::for_each(parse_findings(text).value(), take);
+          },
+          help)
+      ->check([may_name_jobs, expected](const std::string& text) {
+        const auto numbers = parse_findings(text);
+        return numbers && (may_name_jobs || numbers->front().job.empty()) ? std::string() : std::string(expected);
+      })
+      ->delimiter(',')
+      ->type_name("N")
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
@@ -131,24 +152,11 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
                   "or one file of accepted findings, to list its entries")
       ->type_name("FILE")
       ->required();
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--finding",
-          [&arguments](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) {
-              const std::vector<ChosenFinding> findings = *parse_findings(text);
-              arguments.findings.insert(arguments.findings.end(), findings.begin(), findings.end());
-            }
-          },
-          "Numbers of the findings to accept: 3, 3,4 or 3-6; for a job of a batch JOB:3 or JOB:3-6 (repeatable; default: "
-          "list all findings)")
-      ->check([](const std::string& text) {
-        return parse_findings(text) ? std::string()
-                                    : "expected the number of a finding, or a range such as 3-6, or JOB:3-6";
-      })
-      ->delimiter(',')
-      ->type_name("N")
-      ->allow_extra_args(false);
+  add_numbers_option(
+      command, "--finding", true, [&arguments](const ChosenFinding& finding) { arguments.findings.push_back(finding); },
+      "Numbers of the findings to accept: 3, 3,4 or 3-6; for a job of a batch JOB:3 or JOB:3-6 (repeatable; default: list "
+      "all findings)",
+      "expected the number of a finding, or a range such as 3-6, or JOB:3-6");
   command.add_flag("--all", arguments.is_all,
                    "Accept every finding of each RESULT. Findings that cannot be accepted are named and stay gouges");
   command.add_option("--reason", arguments.reason, "Reason why the finding is accepted")->type_name("TEXT");
@@ -157,24 +165,11 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       ->type_name("DAY");
   command.add_option("-o,--output", arguments.output, "File of accepted findings; existing entries stay")
       ->type_name("FILE");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--withdraw",
-          [&arguments](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) {
-              const std::vector<ChosenFinding> entries = *parse_findings(text);
-              for (const ChosenFinding& entry : entries) arguments.withdrawn.push_back(entry.number);
-            }
-          },
-          "Numbers of the entries to remove from the file of accepted findings RESULT: 3, 3,4 or 3-6 (repeatable)")
-      ->check([](const std::string& text) {
-        const auto entries = parse_findings(text);
-        return entries && entries->front().job.empty() ? std::string()
-                                                       : "expected the number of an entry, or a range such as 3-6";
-      })
-      ->delimiter(',')
-      ->type_name("N")
-      ->allow_extra_args(false);
+  add_numbers_option(
+      command, "--withdraw", false,
+      [&arguments](const ChosenFinding& entry) { arguments.withdrawn.push_back(entry.number); },
+      "Numbers of the entries to remove from the file of accepted findings RESULT: 3, 3,4 or 3-6 (repeatable)",
+      "expected the number of an entry, or a range such as 3-6");
   add_input_limit(command, arguments.input);
   command.footer(
       "Examples:\n"

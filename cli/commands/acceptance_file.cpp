@@ -25,6 +25,11 @@ std::string text_of(const Acceptance& entry) {
          " on " + entry.date + ": " + entry.reason;
 }
 
+/// Returns the entries of a file; none if it is empty.
+Result<std::vector<Acceptance>> entries_in(const std::string& file, const std::string& bytes) {
+  return bytes.empty() ? std::vector<Acceptance>() : read_accepted(file, bytes);
+}
+
 std::string count_line(const std::string& file, std::size_t count) {
   return printable(file + " has " + count_text(count, "accepted finding")) + "\n";
 }
@@ -63,8 +68,7 @@ Result<std::vector<Acceptance>> read_acceptances(const std::string& file, const 
     return make_error("accepted-format", "is a pipe; expected a file that accepted findings can be added to", file);
   const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return std::vector<Acceptance>();
-  return read_accepted(file, *bytes);
+  return entries_in(file, *bytes);
 }
 
 void list_acceptances(const std::string& file, const std::vector<Acceptance>& entries, std::ostream& out) {
@@ -76,8 +80,9 @@ void list_acceptances(const std::string& file, const std::vector<Acceptance>& en
 int withdraw_acceptances(const std::string& file, std::vector<std::uint32_t> numbers, const InputLimit& limit,
                          std::ostream& out, std::ostream& err) {
   const FolderLock lock(file);
-  if (const Result<std::string> bytes = read_file(file, limit.max_bytes); !bytes) return fail(err, {bytes.error()});
-  const Result<std::vector<Acceptance>> entries = read_acceptances(file, limit);
+  const Result<std::string> bytes = read_file(file, limit.max_bytes);
+  if (!bytes) return fail(err, {bytes.error()});
+  const Result<std::vector<Acceptance>> entries = entries_in(file, *bytes);
   if (!entries) return fail(err, {entries.error()});
   std::ranges::sort(numbers);
   if (const auto wrong = find_wrong_number(file, numbers, entries->size())) return fail(err, {*wrong});

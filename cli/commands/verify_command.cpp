@@ -66,7 +66,8 @@ int run_verify(const VerifyArguments& typed, std::ostream& out, std::ostream& er
   if (const auto error = find_contradiction(a)) return fail(err, {*error});
   const std::optional<double> seconds = a.seconds.empty() ? 0 : parse_number(a.seconds);
   if (!seconds || !(*seconds >= 0 && *seconds <= kMaxSeconds))
-    return fail(err, {usage_error("--seconds", a.seconds, "a number of seconds from 0 to 1000000, such as 2.5")});
+    return fail(err, {usage_error("--seconds", a.seconds,
+                                  "a number of seconds from 0 to " + display_text(kMaxSeconds, 0) + ", such as 2.5")});
   if (is_batch_folder(typed.result_file)) return run_verify_batch(typed, *seconds, out, err);
   if (const auto other = refuse_other_folder(typed.result_file)) return fail(err, {*other});
   a.result_file = result_in(typed.result_file);
