@@ -35,7 +35,7 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   std::uint64_t threads = 0;
   if (app.got_subcommand("check")) threads = arguments.check.job.threads;
   if (app.got_subcommand("correct")) threads = arguments.correct.job.threads;
-  if (app.got_subcommand("batch")) threads = arguments.batch.job.threads;
+  if (app.got_subcommand("batch")) threads = arguments.batch.check.job.threads;
   if (app.got_subcommand("mesh")) threads = arguments.mesh.threads;
   if (app.got_subcommand("verify")) threads = arguments.verify.threads;
   if (threads > kMaxThreads) {

@@ -302,7 +302,7 @@ class Batch {
 
   [[nodiscard]] std::size_t jobs_at_once() const {
     if (arguments_.jobs > 0) return std::min<std::size_t>(arguments_.jobs, kMaxThreads);
-    const std::uint32_t threads = arguments_.job.threads;
+    const std::uint32_t threads = arguments_.check.job.threads;
     return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
   }
 

@@ -70,7 +70,7 @@ class HotFolder {
   /// Returns the files other than toolpaths that the jobs read.
   [[nodiscard]] std::vector<std::string> inputs() const {
     std::vector<std::string> files;
-    for (const InputOption& input : inputs_of(arguments_.job)) {
+    for (const InputOption& input : inputs_of(arguments_.check.job)) {
       if (!input.file.empty()) files.push_back(input.file);
     }
     return files;

@@ -12,7 +12,8 @@ void add_baseline_option(CLI::App& command, std::string& file) {
       .add_option("--baseline", file,
                   "File of accepted findings ('gougecheck accept'). They are counted and listed separately as long "
                   "as nothing has changed")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group("Check");
 }
 
 void LoadedBaseline::apply(ReportModel& model) const {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cli/options/baseline.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 
@@ -75,8 +74,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   command.add_flag("--force", a.is_forced,
                    "Let outputs replace files of the same name that were not written by a batch or report, except "
                    "inputs");
-  add_common_job_options(command, a.job, false);
-  add_baseline_option(command, a.job.baseline_file);
+  add_options_of_checks(command, a.check);
   add_progress_option(command, a.progress);
   add_verbosity(command, a, "Print the warnings and notes of all jobs (not with -q)",
                 "Print no results, only errors, those of jobs that failed included, and a warning of inputs that "

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/job_options.h"
+#include "cli/options/check_options.h"
 #include "lib/base/result.h"
 
 namespace gouge {
@@ -20,8 +20,8 @@ struct Shard {
 
 struct BatchArguments : Verbosity {
   std::vector<std::string> files;  ///< a job list, or toolpaths
-  JobArguments job;                ///< how toolpaths are checked; `job.threads` of the whole batch
-  std::vector<std::string> words;  ///< the options of `job` that were given
+  CheckArguments check;            ///< how toolpaths are checked; `check.job.threads` of the whole batch
+  std::vector<std::string> words;  ///< the options of `check` that were given
   std::string folder, progress = "auto", stop_on, shard, watch, scratch;
   std::uint32_t jobs = 0;
   double memory_gb = 0;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -102,6 +104,15 @@ void add_options(CLI::App& command, Arguments& arguments, const OptionRows<Argum
         row.field);
     add_option(command, bound);
   }
+}
+
+/// Returns the rows that a project file may set.
+template <typename Arguments>
+OptionRows<Arguments> rows_of_projects(const OptionRows<Arguments>& rows) {
+  OptionRows<Arguments> chosen;
+  std::ranges::copy_if(rows, std::back_inserter(chosen),
+                       [](const OptionRow<Arguments>& row) { return row.scope == Scope::project; });
+  return chosen;
 }
 
 /// Returns the options in force of `rows` that a result records, as it names them. A repeatable one has an entry each.

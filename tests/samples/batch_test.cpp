@@ -182,6 +182,24 @@ const std::string kMpirun =
     "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_plm_rsh_agent=\n";
 
+TEST(Batch, ChecksRemainingStockAndSearchesForCuresOfPathsOnTheCommandLine) {
+  const SampleFolder sample = open_sample("holder_stock");
+  const std::vector<std::string> words = sample.arguments(
+      "check", "holder_stock.apt", {"--stock", "box", "--excess", "5", "--find-cures", "--find-stickout"});
+  const Outcome checked = run_gougecheck(sample.path, [&] {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--json", "alone.json"});
+    return all;
+  }());
+  std::vector<std::string> of_batch = words;
+  of_batch.front() = "batch";
+  of_batch.insert(of_batch.end(), {"-o", "out"});
+  const Outcome ran = run_gougecheck(sample.path, of_batch);
+  EXPECT_EQ(ran.exit_status, checked.exit_status) << ran.err;
+  EXPECT_EQ(Json::parse(text_of(sample.path + "/out/reports/holder_stock/result.json")),
+            Json::parse(text_of(sample.path + "/alone.json")));
+}
+
 TEST(Batch, IsTheSameUnderMpirunAndAfterARankIsKilled) {
   if (!kHasMpi) GTEST_SKIP() << "built without MPI (Debian: libopenmpi-dev, openmpi-bin)";
   const std::string folder = samples_with_list(kSamples);
