@@ -138,7 +138,6 @@ void add_numbers_option(CLI::App& command, const char* name, bool may_name_jobs,
         const auto numbers = parse_findings(text);
         return numbers && (may_name_jobs || numbers->front().job.empty()) ? std::string() : std::string(expected);
       })
-      ->delimiter(',')
       ->type_name("N")
       ->allow_extra_args(false);
 }
@@ -154,7 +153,7 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       ->required();
   add_numbers_option(
       command, "--finding", true, [&arguments](const ChosenFinding& finding) { arguments.findings.push_back(finding); },
-      "Numbers of the findings to accept: 3, 3,4 or 3-6; for a job of a batch JOB:3 or JOB:3-6 (repeatable; default: list "
+      "Numbers of the findings to accept: 3, 3,4 or 3-6; for a job of a batch JOB:3 or JOB:3,5-7 (repeatable; default: list "
       "all findings)",
       "expected the number of a finding, or a range such as 3-6, or JOB:3-6");
   command.add_flag("--all", arguments.is_all,

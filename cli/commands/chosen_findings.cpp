@@ -30,13 +30,23 @@ std::optional<NumberRange> parse_range(const std::string& text) {
 std::string ChosenFinding::text() const { return (job.empty() ? "" : job + ":") + std::to_string(number); }
 
 std::optional<std::vector<ChosenFinding>> parse_findings(const std::string& text) {
-  const std::size_t colon = text.rfind(':');
-  if (colon == 0) return std::nullopt;
-  const std::string job = colon == std::string::npos ? std::string() : text.substr(0, colon);
-  const std::optional<NumberRange> range = parse_range(colon == std::string::npos ? text : text.substr(colon + 1));
-  if (!range) return std::nullopt;
   std::vector<ChosenFinding> findings;
-  for (std::uint32_t number = range->first; number <= range->last; ++number) findings.push_back({job, number});
+  std::string job, item;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    item += text.substr(at, end - at);
+    at = end + 1;
+    const std::size_t colon = item.rfind(':');
+    const std::optional<NumberRange> range = parse_range(colon == std::string::npos ? item : item.substr(colon + 1));
+    if (!range && at <= text.size()) {
+      item += ',';  // a comma in the name of a job
+      continue;
+    }
+    if (!range || colon == 0) return std::nullopt;
+    if (colon != std::string::npos) job = item.substr(0, colon);
+    for (std::uint32_t number = range->first; number <= range->last; ++number) findings.push_back({job, number});
+    item.clear();
+  }
   return findings;
 }
 

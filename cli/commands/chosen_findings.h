@@ -22,8 +22,9 @@ struct ChosenFinding {
   [[nodiscard]] std::string text() const;
 };
 
-/// Parses one value of --finding. Returns nothing for another text, and for a range that is empty or has more numbers than
-/// a result has findings. The name of a job may have colons.
+/// Parses one value of --finding: ranges with commas between them. A job holds for the ranges after it too. Returns
+/// nothing for another text, and for a range that is empty or has more numbers than a result has findings. The name of a
+/// job may have colons and commas.
 [[nodiscard]] std::optional<std::vector<ChosenFinding>> parse_findings(const std::string& text);
 
 /// Returns the error about a choice that does not name exactly one of the results, which have no name if they were given

@@ -431,7 +431,7 @@ TEST_F(Accept, FindingsOfOneJobOfABatchAreNamedByTheJob) {
     EXPECT_EQ(ran.exit_status, 2) << finding;
     EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
   }
-  for (const char* wrong : {"one:", ":1", "one:x", "one:3-1", "one:1,2"})
+  for (const char* wrong : {"one:", ":1", "one:x", "one:3-1", "one:1,x", "one,two:1", "one:1,"})
     EXPECT_EQ(accepted({"--finding", wrong}).exit_status, 2) << wrong;
   EXPECT_EQ(accepted({"--finding", "one:9"}).exit_status, 2);
   const Outcome twice =
