@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -84,18 +85,38 @@ Result<std::string> read_own_file(const std::string& name) {
   }
 }
 
-/// Returns the folders to search, from the working directory up, named relative to it: "", "../", ...
+bool is_own_folder(const fs::path& folder) {
+  struct stat facts {};
+  return ::stat(folder.c_str(), &facts) == 0 && facts.st_uid == ::geteuid();
+}
+
+// Returns the home folder of the user; empty if none is stated.
+fs::path home_folder() {
+  const char* const home = std::getenv("HOME");
+  return home == nullptr ? fs::path() : fs::path(home).lexically_normal();
+}
+
+/// Returns the folders to search, from the working directory up, named relative to it: "", "../", ... The last one is
+/// the root of the repository. Without a repository it is the home folder, or the folder below the first one of another
+/// user.
 std::vector<std::string> folders_to_search() {
   std::error_code failed;
   fs::path at = fs::current_path(failed);
   if (failed) return {};
+  const fs::path home = home_folder();
   std::vector<std::string> folders = {""};
+  std::optional<std::size_t> without_repository;  // number of folders
   for (std::string above;; above += "../") {
     if (fs::exists(at / ".git", failed)) return folders;
-    if (!at.has_parent_path() || at == at.parent_path()) return {""};  // no repository
+    const bool is_top = !at.has_parent_path() || at == at.parent_path();
+    if (!without_repository && (is_top || at == home || !is_own_folder(at.parent_path())))
+      without_repository = folders.size();
+    if (is_top) break;
     at = at.parent_path();
     folders.push_back(above + "../");
   }
+  folders.resize(*without_repository);
+  return folders;
 }
 
 }  // namespace

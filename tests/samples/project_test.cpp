@@ -6,6 +6,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/support/temporary_folder.h"
 
 // gougecheck.json as a user meets it: found, named, outvoted by the command line, refused.
 
@@ -85,6 +86,26 @@ TEST(Project, IsSearchedUpToTheRootOfTheRepositoryAndItsFilesLieBesideIt) {
   EXPECT_EQ(run_gougecheck(folder, {"check", "path.apt"}).exit_status, 2) << "above the root it is none of ours";
   write_text(folder + "/gougecheck.json", R"({"part": "../../part.stl", "tools": "../../tools.json"})");
   EXPECT_EQ(run_gougecheck(folder, {"check", "path.apt"}).exit_status, 1) << "the nearest holds";
+}
+
+// The folder of the samples may lie in a repository, so the test takes another one.
+TEST(Project, IsSearchedUpToTheHomeFolderWithoutARepository) {
+  const SampleFolder sample = open_project();
+  const testing_support::TemporaryFolder top;
+  const std::string home = top.at("home"), folder = home + "/ops/finish";
+  fs::create_directories(folder);
+  for (const char* file : {"part.stl", "tools.json", "gougecheck.json"})
+    fs::copy_file(sample.path + "/" + file, top.at(file));
+  fs::copy_file(sample.path + "/" + sample.toolpath(), folder + "/path.apt");
+  const auto run = [&] { return run_script(folder, "HOME='" + home + "' $GOUGECHECK check path.apt"); };
+  EXPECT_EQ(run().exit_status, 2) << "above the home folder";
+  write_text(home + "/gougecheck.json", R"({"part": "../part.stl", "tools": "../tools.json"})");
+  const Outcome ran = run();
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  EXPECT_TRUE(has(ran.out, "come from ../../gougecheck.json")) << ran.out;
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
+  ASSERT_EQ(::chown((home + "/ops").c_str(), 65534, 65534), 0);
+  EXPECT_EQ(run().exit_status, 2) << "the folder of another user is not searched, nor those above it";
 }
 
 TEST(Project, OfSomebodyElseIsRefused) {
