@@ -1,6 +1,7 @@
 #include "cli/commands/compare_command.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <ostream>
 #include <utility>
 
@@ -91,6 +92,9 @@ int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostre
   if (is_old_batch || is_new_batch) {
     const std::string &batch = is_old_batch ? arguments.before : arguments.after,
                       &other = is_old_batch ? arguments.after : arguments.before;
+    std::error_code ignored;
+    if (!std::filesystem::exists(other, ignored))
+      return fail(err, {make_error("file-not-found", "no such folder; expected that of another batch", other)});
     return fail(
         err, {make_error("usage", batch + " is the folder of a batch, but " + other + " " + describe_no_batch(other))});
   }

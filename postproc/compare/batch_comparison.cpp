@@ -33,6 +33,8 @@ std::string job_text(const ComparedJob& job, bool has_same) {
   return text;
 }
 
+const char* key_of(JobChange change) { return std::ranges::find(kJobChanges, change, &JobChangeWords::change)->key; }
+
 }  // namespace
 
 ExitCode ComparedJob::exit_status() const {
@@ -48,14 +50,25 @@ ExitCode BatchComparison::exit_status() const {
   return has(kExitGouges) ? kExitGouges : has(kExitNotChecked) ? kExitNotChecked : kExitClean;
 }
 
+JobChange ComparedJob::change() const {
+  if (exit_status() == kExitGouges) return JobChange::worse;
+  if (!comparison) {
+    if (verdict_after.empty()) return JobChange::only_before;
+    return verdict_before.empty() ? JobChange::only_after : JobChange::not_compared;
+  }
+  if (exit_status() != kExitClean) return JobChange::open;
+  const bool is_better = comparison->count(Change::gone) + comparison->count(Change::shallower) > 0;
+  return is_better ? JobChange::better : JobChange::same;
+}
+
 std::string BatchComparison::counts() const {
-  const auto count = [&](ExitCode status) {
-    return std::to_string(std::ranges::count(jobs, status, &ComparedJob::exit_status));
-  };
-  const auto without_findings = std::ranges::count_if(jobs, [](const ComparedJob& job) { return !job.comparison; });
-  return count_text(jobs.size(), "job") + ": " + count(kExitGouges) + " worse, " + count(kExitNotChecked) +
-         " not fully checked, " + count(kExitClean) + " no worse" +
-         (without_findings > 0 ? "; of " + std::to_string(without_findings) + " only the verdicts were compared" : "");
+  std::string text = count_text(jobs.size(), "job") + ":";
+  for (const JobChangeWords& words : kJobChanges) {
+    const auto count = std::ranges::count(jobs, words.change, &ComparedJob::change);
+    if (count == 0 && words.change != JobChange::worse) continue;
+    text += (text.ends_with(':') ? " " : ", ") + std::to_string(count) + " " + words.text;
+  }
+  return text;
 }
 
 std::string comparison_text(const BatchComparison& batches, bool has_same) {
@@ -68,6 +81,7 @@ std::string comparison_json(const BatchComparison& batches) {
   Json jobs = Json::array();
   for (const ComparedJob& job : batches.jobs) {
     jobs.push_back({{"job", valid_utf8(job.name)},
+                    {"change", key_of(job.change())},
                     {"exit_status", static_cast<int>(job.exit_status())},
                     {"verdict_before", job.verdict_before},
                     {"verdict_after", job.verdict_after},

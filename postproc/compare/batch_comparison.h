@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,25 @@
 #include "postproc/compare/compare_results.h"
 
 namespace gouge {
+
+/// Class of a job of two batches, the worst first.
+enum class JobChange { worse, open, not_compared, only_before, only_after, better, same };
+
+/// Words for a class of jobs.
+struct JobChangeWords {
+  JobChange change;
+  const char* title;  ///< "Only in the old batch"
+  const char* text;   ///< the same within a sentence
+  const char* key;    ///< in JSON: "only-before"
+};
+inline constexpr std::array kJobChanges{
+    JobChangeWords{JobChange::worse, "Worse", "worse", "worse"},
+    JobChangeWords{JobChange::open, "Not fully checked", "not fully checked", "not-fully-checked"},
+    JobChangeWords{JobChange::not_compared, "Not compared", "not compared", "not-compared"},
+    JobChangeWords{JobChange::only_before, "Only in the old batch", "only in the old batch", "only-before"},
+    JobChangeWords{JobChange::only_after, "Only in the new batch", "only in the new batch", "only-after"},
+    JobChangeWords{JobChange::better, "Better", "better", "better"},
+    JobChangeWords{JobChange::same, "Same", "same", "same"}};
 
 /// A job of two batches. Both results are needed for a comparison of findings. Without them the verdicts are compared.
 struct ComparedJob {
@@ -22,6 +42,8 @@ struct ComparedJob {
   /// That of the comparison. Without one it is that of the verdicts: 0 if the new one is clean, 1 if it gouges and the old
   /// one did not. Else it is 4, because nothing is known of the findings.
   [[nodiscard]] ExitCode exit_status() const;
+  /// A worse job is worse whether or not it is in both batches.
+  [[nodiscard]] JobChange change() const;
 };
 
 struct BatchComparison {
@@ -31,7 +53,7 @@ struct BatchComparison {
 
   /// That of the worst job, in the order 1, 4, 0.
   [[nodiscard]] ExitCode exit_status() const;
-  /// Returns "5 jobs: 1 worse, 2 not fully checked, 2 no worse".
+  /// Returns "5 jobs: 1 worse, 2 not fully checked, 2 same".
   [[nodiscard]] std::string counts() const;
 };
 

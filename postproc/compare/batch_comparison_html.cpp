@@ -11,23 +11,28 @@
 namespace gouge {
 namespace {
 
-enum class JobChange { worse, open, not_compared, only_before, only_after, better, same };
-
-struct JobGroup {
-  JobChange change;
-  const char* title;
-  const char* css;    ///< CSS class of the number
-  const char* state;  ///< CSS class of the state of a row
+/// CSS classes of a class of jobs.
+struct JobStyle {
+  const char* number;
+  const char* state;  ///< of the state of a row
 };
 
-// In the order of the rows.
-constexpr JobGroup kGroups[] = {{JobChange::worse, "Worse", "bad", "gouge"},
-                                {JobChange::open, "Not fully checked", "open", "not-checked"},
-                                {JobChange::not_compared, "Not compared", "open", "not-checked"},
-                                {JobChange::only_before, "Only in the old batch", "open", "not-checked"},
-                                {JobChange::only_after, "Only in the new batch", "", ""},
-                                {JobChange::better, "Better", "", "better"},
-                                {JobChange::same, "Same", "", ""}};
+JobStyle style_of(JobChange change) {
+  switch (change) {
+    case JobChange::worse:
+      return {"bad", "gouge"};
+    case JobChange::open:
+    case JobChange::not_compared:
+    case JobChange::only_before:
+      return {"open", "not-checked"};
+    case JobChange::better:
+      return {"", "better"};
+    case JobChange::only_after:
+    case JobChange::same:
+      break;
+  }
+  return {"", ""};
+}
 
 // On a phone each job is a block, with the names of its values.
 constexpr const char* kBatchComparisonStyle = R"(
@@ -47,18 +52,6 @@ td.n.open { color: var(--doubt); font-weight: 600; }
   .numbers { gap: 8px; } .numbers div { flex-basis: 60px; padding: 7px 9px; }
 }
 )";
-
-// A worse job is worse whether or not it is in both batches, so that the page counts as its banner does.
-JobChange change_of(const ComparedJob& job) {
-  if (job.exit_status() == kExitGouges) return JobChange::worse;
-  if (!job.comparison) {
-    if (job.verdict_after.empty()) return JobChange::only_before;
-    return job.verdict_before.empty() ? JobChange::only_after : JobChange::not_compared;
-  }
-  if (job.exit_status() != kExitClean) return JobChange::open;
-  const bool is_better = job.comparison->count(Change::gone) + job.comparison->count(Change::shallower) > 0;
-  return is_better ? JobChange::better : JobChange::same;
-}
 
 std::string linked(const std::string& link, const std::string& text) {
   return link.empty() ? xml_escaped(text) : "<a href=\"" + uri_of(link) + "\">" + xml_escaped(text) + "</a>";
@@ -84,9 +77,9 @@ std::string job_cell(const ComparedJob& job) {
   return cell + "</td>";
 }
 
-std::string job_row(const ComparedJob& job, const JobGroup& group) {
-  std::string row = job_cell(job) + "<td class=\"k\"><span class=\"state " + group.state + "\">" + group.title +
-                    "</span></td><td>" + verdict_of(job.verdict_before, job.report_before) + ", then " +
+std::string job_row(const ComparedJob& job, const char* title) {
+  std::string row = job_cell(job) + "<td class=\"k\"><span class=\"state " + style_of(job.change()).state + "\">" +
+                    title + "</span></td><td>" + verdict_of(job.verdict_before, job.report_before) + ", then " +
                     verdict_of(job.verdict_after, job.report_after) + "</td>";
   for (std::size_t k = 0; k < kChanges; ++k) row += count_cell(job, static_cast<Change>(k));
   return row;
@@ -102,10 +95,10 @@ std::string jobs_table(const BatchComparison& batches) {
                    {"Gone", "n"},
                    {"Shallower", "n"},
                    {"Same", "n"}});
-  for (const JobGroup& group : kGroups) {
+  for (const JobChangeWords& words : kJobChanges) {
     for (const ComparedJob& job : batches.jobs) {
-      if (change_of(job) != group.change) continue;
-      table.has_room() ? table.add(job_row(job, group)) : table.skip();
+      if (job.change() != words.change) continue;
+      table.has_room() ? table.add(job_row(job, words.title)) : table.skip();
     }
   }
   return table.html();
@@ -113,9 +106,9 @@ std::string jobs_table(const BatchComparison& batches) {
 
 std::string job_numbers(const BatchComparison& batches) {
   std::string out = "<div class=\"numbers\">";
-  for (const JobGroup& group : kGroups) {
-    const auto count = std::ranges::count(batches.jobs, group.change, change_of);
-    out += comparison_number(static_cast<std::size_t>(count), group.title, group.css);
+  for (const JobChangeWords& words : kJobChanges) {
+    const auto count = std::ranges::count(batches.jobs, words.change, &ComparedJob::change);
+    out += comparison_number(static_cast<std::size_t>(count), words.title, style_of(words.change).number);
   }
   return out + "</div>\n";
 }

@@ -297,13 +297,17 @@ TEST_F(Compare, BatchesAreComparedJobByJob) {
         "job same: no worse: 0 new", "job added: the old batch has no such job: gouges\n",
         "job broken: the new batch has no report of it: gouges, then failed\n",
         "job left_out: the new batch has no such job: clean\n",
-        "old -> new\n5 jobs: 1 worse, 2 not fully checked, 2 no worse; of 3 only the verdicts were compared\n"})
+        "old -> new\n5 jobs: 1 worse, 1 not compared, 1 only in the old batch, 1 better, 1 same\n"})
     EXPECT_NE(text.out.find(line), std::string::npos) << line << text.out;
   EXPECT_EQ(shop_.run({"compare", "old", "new", "--json", "c.json"}).exit_status, 1);
   const auto json = shop_.json("c.json");
   EXPECT_EQ(json["format"], "gougecheck-batch-comparison");
   EXPECT_EQ(json["jobs"][0]["comparison"]["counts"]["gone"], 1);
   EXPECT_EQ(json["jobs"][4]["exit_status"], 4);
+  EXPECT_EQ(json["jobs"][4]["change"], "only-before");
+  EXPECT_EQ(shop_.run({"compare", "old", "missing"}).exit_status, 3);
+  EXPECT_EQ(shop_.run({"compare", "missing", "old"}).err,
+            "missing: error: no such folder; expected that of another batch [file-not-found]\n");
   EXPECT_EQ(shop_.run({"compare", "new", "new"}).exit_status, 4) << "the broken job has no result";
   const std::string kept = shop_.read("old/reports/fixed/result.json");
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"compare", "old", "new/reports/fixed"},
@@ -361,7 +365,7 @@ TEST_F(Compare, ThePageOfTwoBatchesListsTheJobsAndLeadsToTheirReports) {
   EXPECT_NE(page.find("<a href=\"../old/index.html\">old</a>, then"), std::string::npos);
   EXPECT_NE(
       page.find(
-          "<strong>Worse</strong><div>7 jobs: 2 worse, 2 not fully checked, 3 no worse; of 4 only the verdicts were compared<"),
+          "<strong>Worse</strong><div>7 jobs: 2 worse, 1 not compared, 1 only in the old batch, 1 only in the new batch, 1 better, 1 same<"),
       std::string::npos);
   EXPECT_LT(page.find(">bad<"), page.find(">broken<")) << "the worst first";
   const std::string kept = shop_.read("new/index.html");
