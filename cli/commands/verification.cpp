@@ -14,15 +14,14 @@ namespace {
 /// Verifies a result whose inputs are unchanged.
 class Verifier {
  public:
-  /// `stock`: null, if the check had none.
-  Verifier(const Job& job, const LoadedStock* stock, const ClaimedResult& result, Progress& progress)
+  Verifier(const Job& job, const BesideJob& beside, const ClaimedResult& result, Progress& progress)
       : job_(job),
-        loaded_stock_(stock),
+        beside_(beside),
         result_(result),
         scene_(claimed_scene(job)),
         digest_(inputs_digest(result.inputs, job, result.arguments)),
         progress_(progress) {
-    if (stock != nullptr) stock_ = claimed_stock(job, result.arguments, *stock);
+    if (beside.stock != nullptr) stock_ = claimed_stock(job, result.arguments, *beside.stock);
     done_.has_heads = !scene_.heads.empty();
     done_.has_excess = result.has_excess;
   }
@@ -81,8 +80,7 @@ class Verifier {
   void compare_record() {
     if (!result_.malformed.empty() || result_.names_a_move_twice) return;  // it is refuted already
     progress_.begin("comparing the result with its inputs");
-    RecordDifferences found =
-        find_differences(result_, make_expected_record(job_, loaded_stock_, result_, progress_.call()));
+    RecordDifferences found = find_differences(result_, make_expected_record(job_, beside_, result_, progress_.call()));
     is_worth_sampling_ = found.wrong.empty();
     for (std::string& what : found.wrong) refute(std::nullopt, std::move(what));
     done_.is_placement_open = found.is_placement_open;
@@ -158,7 +156,7 @@ class Verifier {
   }
 
   const Job& job_;
-  const LoadedStock* loaded_stock_;
+  const BesideJob& beside_;
   const ClaimedResult& result_;
   ClaimedScene scene_;
   std::string digest_;
@@ -172,9 +170,9 @@ class Verifier {
 
 }  // namespace
 
-Result<Verification> verify_claims(const Job& job, const LoadedStock* stock, const ClaimedResult& result,
+Result<Verification> verify_claims(const Job& job, const BesideJob& beside, const ClaimedResult& result,
                                    const NamedCertificate& certificate, double seconds, Progress& progress) {
-  Result<Verification> verification = Verifier(job, stock, result, progress).run(certificate, seconds);
+  Result<Verification> verification = Verifier(job, beside, result, progress).run(certificate, seconds);
   if (!verification) return verification;
   for (Verification::Refuted& one : verification->refuted)
     if (one.move && *one.move < job.toolpath.moves.size()) one.line = job.toolpath.moves[*one.move].line;

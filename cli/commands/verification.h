@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/job/claimed_result.h"
+#include "cli/job/expected_record.h"
 #include "cli/job/job.h"
-#include "cli/job/load_stock.h"
 #include "cli/terminal/progress.h"
 #include "lib/base/result.h"
 #include "lib/verify/attack.h"
@@ -51,9 +51,9 @@ struct NamedCertificate {
   std::string_view bytes;
 };
 
-/// Verifies the claims of a result whose inputs are unchanged. `stock` is null if the check had none. `seconds` is the
-/// minimum duration of the sampling; 0: a fixed number of samples. Errors: certificate-invalid.
-[[nodiscard]] Result<Verification> verify_claims(const Job& job, const LoadedStock* stock, const ClaimedResult& result,
+/// Verifies the claims of a result whose inputs are unchanged. `seconds` is the minimum duration of the sampling; 0: a
+/// fixed number of samples. Errors: certificate-invalid.
+[[nodiscard]] Result<Verification> verify_claims(const Job& job, const BesideJob& beside, const ClaimedResult& result,
                                                  const NamedCertificate& certificate, double seconds,
                                                  Progress& progress);
 

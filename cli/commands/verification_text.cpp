@@ -29,7 +29,7 @@ std::string refutation(const Verification::Refuted& refuted, const ClaimedResult
 std::string verified_text(const Verification& v) {
   std::string text =
       "verified: the inputs are those of the result (SHA-256)\n"
-      "verified: its findings, totals, tools, motions and facts are those of its moves and inputs\n";
+      "verified: its findings, acceptances, totals, tools, motions and facts are those of its moves and inputs\n";
   if (v.witnesses > 0)
     text += "verified: " + count_text(v.witnesses, "witness", "witnesses") +
             " (point on its triangle, pose, depth, side, way out)\n";

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cli/options/baseline.h"
 #include "lib/base/files.h"
 #include "lib/base/sha256.h"
 
@@ -9,15 +10,28 @@ namespace gouge {
 
 namespace {
 
-/// Returns the inputs that differ from those of the result.
-Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& result, std::uint64_t max_bytes) {
-  std::vector<Verification::Refuted> changed;
-  for (const InputFile& input : result.inputs) {
+/// Compares the files of a result with those that are there now.
+class InputComparer {
+ public:
+  explicit InputComparer(std::uint64_t max_bytes) : max_bytes_(max_bytes) {}
+
+  Outcome compare(const std::vector<InputFile>& inputs) {
+    for (const InputFile& input : inputs) {
+      if (Outcome compared = compare(input); !compared) return compared;
+    }
+    return Done{};
+  }
+
+  /// Returns the inputs that differ.
+  [[nodiscard]] std::vector<Verification::Refuted> take() { return std::move(changed_); }
+
+ private:
+  Outcome compare(const InputFile& input) {
     if (input.name == "-")
       return make_error("verify-input", "the " + input.role +
                                             " of this result was read from standard input; expected a file: check it "
                                             "again by its name");
-    const Result<FileView> file = view_file(input.name, max_bytes);
+    const Result<FileView> file = view_file(input.name, max_bytes_);
     if (!file) {
       Diagnostic error = file.error();
       if (error.code == "file-not-found")
@@ -26,14 +40,17 @@ Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& res
       return error;
     }
     const bool is_same = "sha256:" + sha256_of(file->bytes) == input.checksum;
-    if (is_same && file->bytes.size() == input.bytes) continue;
+    if (is_same && file->bytes.size() == input.bytes) return Done{};
     Verification::Refuted one;
     one.what = "the " + input.role + " " + input.name + " is not the file that was checked (its " +
                (is_same ? "size" : "SHA-256") + " differs)";
-    changed.push_back(std::move(one));
+    changed_.push_back(std::move(one));
+    return Done{};
   }
-  return changed;
-}
+
+  std::uint64_t max_bytes_;
+  std::vector<Verification::Refuted> changed_;
+};
 
 bool are_same(const std::vector<InputFile>& a, const std::vector<InputFile>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const InputFile& x, const InputFile& y) {
@@ -59,6 +76,7 @@ void verify_unchanged(const std::string& file, const NamedCertificate& certifica
     one.errors = std::move(loaded.errors);
     return;
   }
+  loaded.job->toolpath.file = result.record.toolpath.file;  // a baseline names the toolpath as the result does
   std::optional<LoadedStock> stock;
   if (!result.arguments.stock.empty()) {
     stock = load_stock(result.arguments, *loaded.job, progress, one.errors);
@@ -68,9 +86,15 @@ void verify_unchanged(const std::string& file, const NamedCertificate& certifica
     one.errors = {make_error("input-changed", "the inputs changed while they were read; run it again", file)};
     return;
   }
+  Result<LoadedBaseline> baseline = load_baseline(result.arguments.baseline_file, result.arguments.input);
+  if (!baseline) {
+    one.errors = {baseline.error()};
+    return;
+  }
+  if (result.record.baseline) baseline->file = result.record.baseline->file;
   one.notes = loaded.job->notes;
   Result<Verification> verification =
-      verify_claims(*loaded.job, stock ? &*stock : nullptr, result, certificate, seconds, progress);
+      verify_claims(*loaded.job, {stock ? &*stock : nullptr, *baseline}, result, certificate, seconds, progress);
   if (verification)
     one.verification = std::move(*verification);
   else
@@ -94,14 +118,17 @@ VerifiedResult verify_result(const std::string& file, std::string_view bytes, co
   one.result = std::move(*result);
   one.result.arguments.input = arguments.input;
   one.result.options.check.threads = arguments.threads;
-  Result<std::vector<Verification::Refuted>> changed = find_changed(one.result, arguments.input.max_bytes);
-  if (!changed) {
-    one.errors = {changed.error()};
-  } else if (!changed->empty()) {
-    one.verification.emplace().refuted = std::move(*changed);
-  } else {
-    verify_unchanged(file, certificate, seconds, progress, one);
+  InputComparer inputs(arguments.input.max_bytes);
+  for (const auto* files : {&one.result.inputs, &one.result.beside_inputs}) {
+    if (const Outcome compared = inputs.compare(*files); !compared) {
+      one.errors = {compared.error()};
+      return one;
+    }
   }
+  if (std::vector<Verification::Refuted> changed = inputs.take(); !changed.empty())
+    one.verification.emplace().refuted = std::move(changed);
+  else
+    verify_unchanged(file, certificate, seconds, progress, one);
   return one;
 }
 

@@ -67,6 +67,7 @@ class ClaimTaker {
   /// The library, also in Python, checks meshes and tools that are in memory, and records no file of them.
   [[nodiscard]] std::string first_not_recorded() const {
     if (result_.arguments.path.empty()) return "toolpath";
+    if (record_.baseline && result_.arguments.baseline_file.empty()) return "baseline";
     if (record_.parts.size() > named_parts_.size()) return "part " + record_.parts[named_parts_.size()].name;
     if (record_.fixtures.size() > named_fixtures_.size())
       return "fixture " + record_.fixtures[named_fixtures_.size()].name;
@@ -116,10 +117,14 @@ class ClaimTaker {
   void take_input(const JsonField& field, const InputFile& input) {
     JobArguments& a = result_.arguments;
     const std::string& role = input.role;
-    if (role == "baseline" || role == "project") return;  // no verdict depends on the bytes of these two
     if (input.name.empty() || input.name.find('\0') != std::string::npos) field.at("name").fail("the name of a file");
     const std::string name = found_at(input.name, file_);
-    result_.inputs.push_back({role, name, input.bytes, input.checksum});
+    const bool is_beside = role == "baseline" || role == "project";
+    (is_beside ? result_.beside_inputs : result_.inputs).push_back({role, name, input.bytes, input.checksum});
+    if (is_beside) {
+      if (role == "baseline") a.baseline_file = name;
+      return;
+    }
     found_inputs_[input.name] = name;
     if (role == "toolpath") a.path = name;
     if (role == "part") a.parts.push_back(name);

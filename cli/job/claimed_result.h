@@ -19,7 +19,8 @@ namespace gouge {
 struct ClaimedResult {
   JobArguments arguments;  ///< files, tools and options for reading them, as given to the command that wrote the result
   JobOptions options;
-  std::vector<InputFile> inputs;
+  std::vector<InputFile> inputs;         ///< those that the check itself reads
+  std::vector<InputFile> beside_inputs;  ///< the baseline and the project file
   std::string not_recorded;  ///< the first part, fixture or tool whose file the result does not name; empty: none
   std::string program;       ///< name and version
   std::string verdict;       ///< the word that the result states

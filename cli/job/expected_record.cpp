@@ -19,9 +19,14 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 class ExpectedRecordMaker {
  public:
-  ExpectedRecordMaker(const Job& job, const LoadedStock* stock, const ClaimedResult& result,
+  ExpectedRecordMaker(const Job& job, const BesideJob& beside, const ClaimedResult& result,
                       const ProgressCall& progress)
-      : job_(job), path_(job.toolpath), stock_(stock), claimed_(result), record_(result.record), progress_(progress) {}
+      : job_(job),
+        path_(job.toolpath),
+        beside_(beside),
+        claimed_(result),
+        record_(result.record),
+        progress_(progress) {}
 
   ExpectedRecord run() {
     made_.verdicts.resize(path_.moves.size());
@@ -30,7 +35,7 @@ class ExpectedRecordMaker {
     count();
     const PreparedScene& scene = job_.files->prepared(job_.options.check.threads, progress_);
     CheckSetup setup = job_.setup(scene);
-    if (stock_ != nullptr) setup.stock = &*stock_->setup;
+    if (beside_.stock != nullptr) setup.stock = &*beside_.stock->setup;
     setup.basis.place = place_as_stated(setup.basis.place);
     assess(path_, setup, made_);
     ExpectedRecord expected{record_of(model()), is_fit_known(setup)};
@@ -40,8 +45,12 @@ class ExpectedRecordMaker {
   }
 
  private:
-  /// Returns the reason of a move as a value. Only those are distinguished that totals and findings depend on.
+  /// Returns the reason of a move as a value. Only those are distinguished that totals, findings and acceptances depend on.
   [[nodiscard]] Reason reason_of(const MoveRecord& move) const {
+    if (move.reason.empty()) return {};
+    const bool is_in_stock = move.witness && move.witness->against == Against::stock;
+    if (move.state == MoveState::gouge && (is_in_stock || is_text_of_limit(move.reason)))
+      return {Reason::Kind::stock_met, Body::cutter, 0, move.reason};
     const bool may_be_skipped = move.state == MoveState::not_checked &&
                                 path_.moves[move.move].kind == MoveKind::rapid &&
                                 record_.options.rapid == rapid_word(RapidMode::skip);
@@ -165,7 +174,10 @@ class ExpectedRecordMaker {
 
   [[nodiscard]] ReportModel model() const {
     ReportModel model;
+    model.inputs = record_.inputs;
     model.options = job_.options.check;
+    for (const auto& [name, texts] : record_.options.more)
+      for (const std::string& text : texts) model.more_options.push_back({name, text});
     model.placement = placement_identity(job_.options.place, job_.stl_unit(claimed_.arguments));
     model.toolpath = &path_;
     model.result = &made_;
@@ -175,6 +187,7 @@ class ExpectedRecordMaker {
     model.tools = job_.tool_facts;
     model.notes = job_.notes;
     std::ranges::move(open_warnings(made_.assumptions), std::back_inserter(model.notes));
+    beside_.baseline.apply(model);
     return model;
   }
 
@@ -186,7 +199,7 @@ class ExpectedRecordMaker {
 
   const Job& job_;
   const Toolpath& path_;
-  const LoadedStock* stock_;
+  const BesideJob& beside_;
   const ClaimedResult& claimed_;
   const ResultRecord& record_;
   const ProgressCall& progress_;
@@ -196,9 +209,9 @@ class ExpectedRecordMaker {
 
 }  // namespace
 
-ExpectedRecord make_expected_record(const Job& job, const LoadedStock* stock, const ClaimedResult& result,
+ExpectedRecord make_expected_record(const Job& job, const BesideJob& beside, const ClaimedResult& result,
                                     const ProgressCall& progress) {
-  return ExpectedRecordMaker(job, stock, result, progress).run();
+  return ExpectedRecordMaker(job, beside, result, progress).run();
 }
 
 }  // namespace gouge

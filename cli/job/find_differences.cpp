@@ -15,10 +15,11 @@ constexpr std::size_t kMaxDifferences = 100;  // more of them tell nothing new
 constexpr std::size_t kMaxShownBytes = 80;
 
 /// Last keys of texts for people, whose words another version of the program may choose differently.
-constexpr std::array kWordings = {"/value", "/evidence", "/remedy", "/description", "/meaning", "/promise"};
+constexpr std::array kWordings = {"/value",   "/evidence", "/remedy", "/description",
+                                  "/meaning", "/promise",  "/why",    "/why_not"};
 
-/// Keys of a finding that people add, or that a search found.
-constexpr std::array kNotCompared = {"acceptance", "cures"};
+/// Key of a finding that a search found.
+constexpr const char* kNotCompared = "cures";
 
 bool is_same_number(double a, double b) {
   if (!std::isfinite(a) || !std::isfinite(b)) return !std::isfinite(a) && !std::isfinite(b);
@@ -88,6 +89,7 @@ class DifferenceFinder {
     compare_lists("/tools", claimed_.tools, expected_.tools);
     compare("/totals", claimed_.totals, expected_.totals);
     compare_lists("/events", claimed_.events, expected_.events);
+    compare_baseline();
     compare_lists("/reasons", claimed_.reasons, expected_.reasons);
     compare_lists("/moves", claimed_.moves, expected_.moves);
     compare_lists("/runs", claimed_.runs, expected_.runs);
@@ -123,7 +125,7 @@ class DifferenceFinder {
   [[nodiscard]] bool is_compared(const RecordLeaf& leaf) const {
     if (leaf.place.starts_with("/events/")) {
       const std::string key = leaf.place.substr(leaf.place.find('/', std::string("/events/").size()) + 1);
-      if (std::ranges::any_of(kNotCompared, [&](const char* other) { return key.starts_with(other); })) return false;
+      if (key.starts_with(kNotCompared)) return false;
     }
     return has_same_wording_ ||
            std::ranges::none_of(kWordings, [&](const char* key) { return leaf.place.ends_with(key); });
@@ -206,6 +208,13 @@ class DifferenceFinder {
     if (found_.wrong.size() == before || !may_depend_on_clean_moves) return;
     found_.wrong.resize(before);
     found_.is_placement_open = true;
+  }
+
+  void compare_baseline() {
+    if (claimed_.baseline.has_value() != expected_.baseline.has_value())
+      return add("its '/baseline' is not what its inputs give");
+    if (!claimed_.baseline) return;
+    compare("/baseline", *claimed_.baseline, *expected_.baseline);
   }
 
   void compare_motions() {

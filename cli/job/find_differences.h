@@ -16,8 +16,8 @@ struct RecordDifferences {
 };
 
 /// Compares every field of a result that its moves and inputs determine: promise, facts, toolpath, meshes, tools, totals,
-/// findings, reasons, moves, runs and motions. With --warnings-as-errors also the warnings about inputs. Acceptances and cures of findings are not compared, nor sections that the
-/// expected record does not have. Texts for people are compared only if this version of the program wrote the result.
+/// findings, acceptances, reasons, moves, runs and motions. With --warnings-as-errors also the warnings about inputs. Cures
+/// of findings are not compared, nor sections that the expected record does not have. Texts for people are compared only if this version of the program wrote the result.
 [[nodiscard]] RecordDifferences find_differences(const ClaimedResult& result, const ExpectedRecord& expected);
 
 }  // namespace gouge

@@ -1,5 +1,6 @@
 #include "lib/check/reason.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -87,7 +88,28 @@ std::string filled(std::string_view text, const Reason& reason) {
   return out + std::string(text);
 }
 
+// Returns whether a text consists of the words of `form`, with any text in place of each placeholder.
+bool has_form(std::string_view text, std::string_view form) {
+  const std::size_t open = form.find('{');
+  if (!text.starts_with(form.substr(0, open))) return false;
+  text.remove_prefix(std::min(open, form.size()));
+  while ((form = form.substr(std::min(form.find('}'), form.size() - 1) + 1)).find('{') != std::string_view::npos) {
+    const std::string_view words = form.substr(0, form.find('{'));
+    const std::size_t at = text.find(words);
+    if (at == std::string_view::npos) return false;
+    text.remove_prefix(at + words.size());
+  }
+  return text.ends_with(form);
+}
+
 }  // namespace
+
+bool is_text_of_limit(std::string_view text) {
+  return std::ranges::any_of(kTexts, [&](const Text& one) {
+    const bool has_words = one.kind != Reason::Kind::stock_met;
+    return Reason{one.kind}.names_limit() && has_words && has_form(text, one.text);
+  });
+}
 
 std::string reason_text(const Reason& reason) {
   for (const Text& one : kTexts) {

@@ -59,4 +59,7 @@ struct Reason {
 /// Returns the sentence for people; empty if there is no reason.
 [[nodiscard]] std::string reason_text(const Reason& reason);
 
+/// Returns whether `text` is the sentence of a clearance or tolerance that a gouge exceeded.
+[[nodiscard]] bool is_text_of_limit(std::string_view text);
+
 }  // namespace gouge

@@ -94,6 +94,11 @@ class LeafLister {
     place_.resize(end);
   }
   template <typename Record>
+  void list(const char* key, const std::vector<Record>& values) {
+    add_word(std::string(key) + "/length", std::to_string(values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k) object((key + ("/" + std::to_string(k))).c_str(), values[k]);
+  }
+  template <typename Record>
   void optional_object(const char* key, const std::optional<Record>& value) {
     value ? object(key, *value) : add_null(key);
   }

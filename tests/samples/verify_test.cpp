@@ -275,6 +275,52 @@ TEST(VerifyCommand, FindsAVerdictThatIsNotThatOfTheMoves) {
   }
 }
 
+// The verdict "accepted gouges" rests on the file of accepted findings, so that file and what it accepts are verified.
+TEST(VerifyCommand, VerifiesAcceptancesByTheFileOfAcceptedFindings) {
+  const SampleFolder sample = checked_sample("pocket");
+  const auto run = [&](const std::vector<std::string>& words) { return run_gougecheck(sample.path, words); };
+  ASSERT_EQ(run({"accept", "result.json", "-o", "accepted.json", "--all", "--reason", "r", "--by", "b"}).exit_status,
+            0);
+  const Outcome checked =
+      run(sample.arguments("check", sample.toolpath(), {"--baseline", "accepted.json", "--json", "result.json", "-q"}));
+  ASSERT_EQ(checked.exit_status, 0) << checked.out << checked.err;
+  const Outcome right = verify(sample, {});
+  EXPECT_EQ(right.exit_status, 0) << right.out << right.err;
+  const json whole = result_of(sample);
+  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes = {
+      {"its '/baseline/entries/0/by' is \"c\"", [](json& r) { r["baseline"]["entries"][0]["by"] = "c"; }},
+      {"its '/baseline/accepted_moves' is 99", [](json& r) { r["baseline"]["accepted_moves"] = 99; }},
+      {"its '/events/0/acceptance/is_accepted' is false",
+       [](json& r) { r["events"][0]["acceptance"]["is_accepted"] = false; }}};
+  for (const auto& [what, change] : changes) {
+    json changed = whole;
+    change(changed);
+    write_text(sample.path + "/result.json", sealed(changed));
+    const Outcome ran = verify(sample, {});
+    EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find(what), std::string::npos) << ran.out;
+  }
+  write_text(sample.path + "/result.json", whole.dump(1) + "\n");
+  EXPECT_EQ(run({"accept", "accepted.json", "--withdraw", "1"}).exit_status, 0);
+  const Outcome withdrawn = verify(sample, {});
+  EXPECT_EQ(withdrawn.exit_status, 1) << withdrawn.out;
+  EXPECT_NE(withdrawn.out.find("the baseline accepted.json is not the file that was checked"), std::string::npos)
+      << withdrawn.out;
+  std::filesystem::remove(sample.path + "/accepted.json");
+  EXPECT_EQ(verify(sample, {}).exit_status, 3);
+}
+
+TEST(VerifyCommand, ComparesTheProjectFileWithTheResult) {
+  const SampleFolder sample = open_sample("between_rib");
+  write_text(sample.path + "/gougecheck.json", R"({"part": "part.stl", "tools": "tools.json", "tolerance": 0.02})");
+  (void)run_gougecheck(sample.path, {"check", sample.toolpath(), "--json", "result.json", "-q"});
+  EXPECT_EQ(verify(sample, {}).exit_status, 0);
+  write_text(sample.path + "/gougecheck.json", R"({"part": "part.stl", "tools": "tools.json", "tolerance": 0.03})");
+  const Outcome ran = verify(sample, {});
+  EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("the project gougecheck.json is not the file that was checked"), std::string::npos) << ran.out;
+}
+
 TEST(VerifyCommand, AResultOfATrillionMovesTakesNoMemory) {
   const SampleFolder sample = checked_sample("between_rib");
   json result = result_of(sample);
