@@ -239,16 +239,16 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
                  "post-processor again",
                  arguments.job.path);
   if (is_program(arguments.job.path, options->reading, arguments.job.input.max_bytes))
-    return run.fail_with(refused, kExitInput);
+    return run.fail_with({refused}, kExitInput);
   if (const auto status = run.load()) return *status;
-  if (run.job().toolpath.dialect == gcode_dialect().id) return run.fail_with(refused, kExitInput);
+  if (run.job().toolpath.dialect == gcode_dialect().id) return run.fail_with({refused}, kExitInput);
   if (!arguments.job.stock.empty()) {
     if (const auto status = run.load_stock(correct->rapid_clearance_mm)) return *status;
   }
   const Toolpath& path = run.job().toolpath;
   const CheckResult before = run.check_without_stock();
   if (const auto misfit = find_misfit(path, before); misfit && !arguments.job.is_forced)
-    return run.fail_with(*misfit, kExitGouges);
+    return run.fail_with({*misfit}, kExitGouges);
   const RewritableMoves rewritable = rewritable_moves(path);
   correct->rewritable = &rewritable;
   correct->tilt.reach = run.job().reach();
@@ -264,7 +264,7 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
   setup.stock = run.stock();
   const Result<LawfulCorrection> corrected =
       correct_lawfully(path, before, setup, *correct, rewrite, run.progress().call());
-  if (!corrected) return run.fail_with(corrected.error(), kExitInternal);
+  if (!corrected) return run.fail_with({corrected.error()}, kExitInternal);
   run.progress().begin("summing up the result");
   const CheckResult& known = corrected->before ? *corrected->before : before;
   ReportParts parts = parts_of(arguments, *correct, *limit, *corrected, {path, known, *run.job().files}, text);

@@ -24,7 +24,7 @@ JobPipeline::JobPipeline(const JobArguments& arguments, const JobOptions& option
 std::optional<int> JobPipeline::load() {
   if (const auto status = outputs_.refuse(context_.err)) return status;
   Result<LoadedBaseline> accepted = load_baseline(arguments_.baseline_file, arguments_.input);
-  if (!accepted) return fail_with(accepted.error());
+  if (!accepted) return fail_with({accepted.error()});
   baseline_ = std::move(*accepted);
   LoadedJob loaded = load_job(arguments_, options_, progress_, context_.scenes);
   progress_.end();
@@ -32,7 +32,7 @@ std::optional<int> JobPipeline::load() {
     if (arguments_.project_file)
       loaded.errors.push_back(
           make_note(kProjectFile, arguments_.project_file->summary, arguments_.project_file->input.name));
-    return fail(context_.err, loaded.errors);
+    return fail_with(loaded.errors);
   }
   job_ = std::move(*loaded.job);
   scene_ = &job_->files->prepared(options_.check.threads, progress_.call());
@@ -46,18 +46,18 @@ std::optional<int> JobPipeline::load_stock(double clearance_mm) {
   progress_.begin("preparing the stock");
   Diagnostics errors;
   stock_ = gouge::load_stock(arguments_, *job_, progress_, errors);
+  if (!stock_) return fail_with(errors);
   progress_.end();
-  if (!stock_) return fail(context_.err, errors);
-  if (const auto error = add_roomy_tools(clearance_mm, arguments_, *job_, *stock_)) return fail_with(*error);
+  if (const auto error = add_roomy_tools(clearance_mm, arguments_, *job_, *stock_)) return fail_with({*error});
   if (const Outcome excess = load_excess(arguments_, *scene_, *stock_->setup); !excess)
-    return fail_with(excess.error());
+    return fail_with({excess.error()});
   return std::nullopt;
 }
 
 std::optional<int> JobPipeline::make_stock_meshes(ReportParts& parts) {
   if (arguments_.write_stock.empty() && arguments_.report_folder.empty()) return std::nullopt;
   Result<StockMeshes> meshes = gouge::make_stock_meshes(arguments_, *job_, *stock_->setup, progress_.call());
-  if (!meshes) return fail_with(meshes.error());
+  if (!meshes) return fail_with({meshes.error()});
   meshes_ = std::move(*meshes);
   if (!meshes_->remaining.perhaps.triangles.empty()) parts.shown_stock = &meshes_->remaining.perhaps;
   if (arguments_.write_stock.empty()) return std::nullopt;
@@ -103,14 +103,15 @@ int JobPipeline::write(const ReportModel& model, const Diagnostics& last_notes, 
   return exit_status(overall_verdict(model));
 }
 
-int JobPipeline::fail_with(const Diagnostic& error) {
-  progress_.end();
-  return fail(context_.err, {error});
-}
+int JobPipeline::fail_with(const Diagnostics& errors) { return fail_with(errors, status_of(errors)); }
 
-int JobPipeline::fail_with(const Diagnostic& error, int status) {
+int JobPipeline::fail_with(const Diagnostics& errors, int status) {
   progress_.end();
-  return fail(context_.err, {error}, status);
+  print(context_.err, errors);
+  if (status == kExitUsage) return status;
+  const Outcome written = outputs_.write_failure({arguments_.path, status, errors}, context_.out);
+  if (!written) print(context_.err, {written.error()});
+  return status;
 }
 
 }  // namespace gouge

@@ -48,9 +48,9 @@ class JobPipeline {
   /// `last_notes` are printed after those of the report, but not with -q; `spent` is printed with -v.
   [[nodiscard]] int write(const ReportModel& model, const Diagnostics& last_notes = {}, const std::string& spent = {});
 
-  /// Ends the progress line and prints `error`. Returns the exit status.
-  [[nodiscard]] int fail_with(const Diagnostic& error);
-  [[nodiscard]] int fail_with(const Diagnostic& error, int status);
+  /// Ends the progress line, prints the errors and writes the outputs that can state them. Returns the exit status.
+  [[nodiscard]] int fail_with(const Diagnostics& errors);
+  [[nodiscard]] int fail_with(const Diagnostics& errors, int status);
 
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] const PreparedScene& scene() const { return *scene_; }

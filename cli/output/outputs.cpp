@@ -11,6 +11,7 @@
 #include "postproc/export/make_export.h"
 #include "postproc/image/report_pictures.h"
 #include "postproc/image/tool_drawing.h"
+#include "postproc/report/findings.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/write_report.h"
@@ -97,6 +98,15 @@ bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportM
   return written.has_value();
 }
 
+Outcome JobOutputs::write_failure(const FailedRun& run, std::ostream& out) const {
+  PendingOutputs pending;
+  for (const Output& output : outputs_) {
+    if (output.write_failure == nullptr) continue;
+    if (Outcome added = pending.add(output.file, output.write_failure(run)); !added) return added;
+  }
+  return pending.commit(out);
+}
+
 Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, const ReportModel& model,
                                 Progress& progress, std::ostream& out) {
   PendingOutputs pending;
@@ -164,6 +174,13 @@ void put_whole(const ReportModel& model, const PutText& put) {
   put(write(model));
 }
 
+template <std::string (*write)(const ReportModel&), std::string (*write_failed)(const FailedRun&)>
+Output for_build_server(const char* option, const std::string& file) {
+  Output output{option, file, Output::Kind::file, put_whole<write>};
+  output.write_failure = write_failed;
+  return output;
+}
+
 std::string certificate(const ReportModel& model) { return std::string(model.certificate_bytes); }
 
 template <std::string_view StockLeft::*bytes>
@@ -182,8 +199,8 @@ OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
   OutputTable all = {{"-o", corrected, Output::Kind::file, put_corrected},
                      {"--json", a.json_file, Output::Kind::file, put_whole<write_json>},
                      {"--csv", a.csv_file, Output::Kind::file, put_csv},
-                     {"--sarif", a.sarif_file, Output::Kind::file, put_whole<write_sarif>},
-                     {"--junit", a.junit_file, Output::Kind::file, put_whole<write_junit>},
+                     for_build_server<write_sarif, write_sarif>("--sarif", a.sarif_file),
+                     for_build_server<write_junit, write_junit>("--junit", a.junit_file),
                      {"--certificate", a.certificate_file, Output::Kind::file, put_whole<certificate>},
                      {"--report", a.report_folder, Output::Kind::report_folder, nullptr}};
   if (!a.write_stock.empty()) {

@@ -14,6 +14,7 @@
 
 namespace gouge {
 
+struct FailedRun;
 struct ReportModel;
 
 /// One output of a command line. All code that protects files, keeps standard output separate or writes uses these
@@ -26,7 +27,8 @@ struct Output {
   Kind kind = Kind::file;
   void (*write)(const ReportModel&, const PutText&) = nullptr;  ///< for a file of `check` and `correct`
   WriteScene write_scene = nullptr;                             ///< in place of `write`, for an exported scene
-  bool (*has_content)(const ReportModel&) = nullptr;  ///< the file is written only if it is true; null: always
+  bool (*has_content)(const ReportModel&) = nullptr;         ///< the file is written only if it is true; null: always
+  std::string (*write_failure)(const FailedRun&) = nullptr;  ///< for a run without a result; null: nothing is written
 };
 
 using OutputTable = std::vector<Output>;
@@ -58,6 +60,9 @@ class JobOutputs {
   /// written is reported on `err`, last. Returns whether all was written, and delivered in the case of standard output.
   [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
                            std::ostream& out, std::ostream& err);
+
+  /// Writes the files whose formats can state that a run ended without a result.
+  [[nodiscard]] Outcome write_failure(const FailedRun& run, std::ostream& out) const;
 
  private:
   [[nodiscard]] Outcome write_files(const Job& job, const PreparedScene& scene, const ReportModel& model,

@@ -81,9 +81,11 @@ int fail(std::ostream& err, const Diagnostics& errors, int status) {
   return status;
 }
 
-int fail(std::ostream& err, const Diagnostics& errors) {
+int status_of(const Diagnostics& errors) {
   const bool is_usage = std::ranges::any_of(errors, [](const Diagnostic& d) { return d.code == "usage"; });
-  return fail(err, errors, is_usage ? kExitUsage : kExitInput);
+  return is_usage ? kExitUsage : kExitInput;
 }
+
+int fail(std::ostream& err, const Diagnostics& errors) { return fail(err, errors, status_of(errors)); }
 
 }  // namespace gouge

@@ -61,8 +61,11 @@ void print_peak_memory(std::ostream& err);
 /// Prints `errors` and returns `status`.
 int fail(std::ostream& err, const Diagnostics& errors, int status);
 
-/// Prints `errors` and returns the status for them. If one of them has the code usage, it is that of a wrong command
-/// line, else that of an input. An example of usage is a tool of --tool that the library lacks.
+/// Returns the exit status for `errors`. If one of them has the code usage, it is that of a wrong command line, else that
+/// of an input. An example of usage is a tool of --tool that the library lacks.
+[[nodiscard]] int status_of(const Diagnostics& errors);
+
+/// Prints `errors` and returns the status for them.
 int fail(std::ostream& err, const Diagnostics& errors);
 
 }  // namespace gouge

@@ -79,6 +79,17 @@ struct JunitSuite {
 [[nodiscard]] JunitSuite junit_suite_of(const ReportModel& model);
 [[nodiscard]] std::string write_junit(const std::vector<JunitSuite>& suites);
 
+/// A run that ended without a result.
+struct FailedRun {
+  std::string toolpath;  ///< as the user named it
+  int exit_status = 0;
+  Diagnostics errors;
+};
+/// Returns JUnit XML with one test case, which is an error.
+[[nodiscard]] std::string write_junit(const FailedRun& run);
+/// Returns SARIF 2.1.0 with an unsuccessful invocation and the errors as its notifications.
+[[nodiscard]] std::string write_sarif(const FailedRun& run);
+
 /// Layout of findings in text output. It has no effect on verdicts, counts and files.
 struct FindingsView {
   static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();

@@ -160,6 +160,8 @@ std::string beside_the_verdict(const ReportModel& model) {
   return text;
 }
 
+std::string suite_name(const std::string& toolpath) { return std::string(kProgramName) + " " + toolpath; }
+
 std::string seconds_text(double seconds) { return fixed_text(seconds, 3); }
 
 // Escapes a text line by line, because an escaped line end would become a blank.
@@ -206,12 +208,9 @@ std::string suite_xml(const JunitSuite& suite) {
 }  // namespace
 
 JunitSuite junit_suite_of(const ReportModel& model) {
-  JunitSuite suite{model.toolpath->file,
-                   std::string(kProgramName) + " " + model.toolpath->file,
-                   model.seconds,
-                   model.result->verdicts.size(),
-                   {},
-                   beside_the_verdict(model)};
+  JunitSuite suite{
+      model.toolpath->file,     suite_name(model.toolpath->file), model.seconds, model.result->verdicts.size(), {},
+      beside_the_verdict(model)};
   for (const Case& one : cases_of(model)) suite.cases.push_back(case_of(model, one));
   if (model.result->excess) suite.cases.push_back(excess_case(model));
   if (const std::vector<std::string> open = open_facts(model); !open.empty()) suite.cases.push_back(open_case(open));
@@ -225,5 +224,13 @@ std::string write_junit(const std::vector<JunitSuite>& suites) {
 }
 
 std::string write_junit(const ReportModel& model) { return write_junit(std::vector{junit_suite_of(model)}); }
+
+std::string write_junit(const FailedRun& run) {
+  JunitCase one;
+  one.name = "toolpath";
+  one.error_message = "exit status " + std::to_string(run.exit_status);
+  for (const Diagnostic& error : run.errors) one.error_message += "; " + to_text(error);
+  return write_junit({JunitSuite{run.toolpath, suite_name(run.toolpath), 0, 0, {one}, {}}});
+}
 
 }  // namespace gouge

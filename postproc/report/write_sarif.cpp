@@ -136,4 +136,10 @@ std::string write_sarif(const std::vector<SarifJob>& jobs) { return SarifReport(
 
 std::string write_sarif(const ReportModel& model) { return write_sarif(std::vector{sarif_job_of(model)}); }
 
+std::string write_sarif(const FailedRun& run) {
+  SarifJob job{run.toolpath, run.exit_status, {}, {}};
+  for (const Diagnostic& error : run.errors) job.notes.push_back(sarif_note_of(error));
+  return write_sarif({job});
+}
+
 }  // namespace gouge

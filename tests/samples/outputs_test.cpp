@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
@@ -121,6 +122,23 @@ TEST_F(Outputs, AnImportSparesEveryFileOfTheLibrary) {
   const Outcome ran = run_gougecheck(sample_.path, {"tool", "import", "shop.fctl", "-o", "ball.fctb"});
   EXPECT_EQ(ran.exit_status, 2) << ran.err;
   EXPECT_EQ(text("ball.fctb"), bit);
+}
+
+// Otherwise a build server would show the results of an earlier run.
+TEST_F(Outputs, FilesForBuildServersStateThatARunEndedWithoutAResult) {
+  write_text(at("j.xml"), "of an earlier run");
+  write_text(at("s.sarif"), "of an earlier run");
+  const Outcome ran = check({"--junit", "j.xml", "--sarif", "s.sarif", "--json", "r.json"}, "missing.apt");
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(text("j.xml").find("<error message=\"exit status 3; missing.apt: error: no such file [file-not-found]\"/>"),
+            std::string::npos)
+      << text("j.xml");
+  const auto invocation = nlohmann::json::parse(text("s.sarif")).at("runs").at(0).at("invocations").at(0);
+  EXPECT_EQ(invocation.at("executionSuccessful"), false);
+  EXPECT_EQ(invocation.at("toolExecutionNotifications").at(0).at("descriptor").at("id"), "file-not-found");
+  EXPECT_FALSE(fs::exists(at("r.json")));
+  const Outcome printed = check({"--junit", "-"}, "missing.apt");
+  EXPECT_EQ(printed.out, text("j.xml"));
 }
 
 }  // namespace
