@@ -13,7 +13,8 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMaxNames = 4;  // maximum number of files of one role that the head names
+constexpr std::size_t kMaxNames = 4;       // maximum number of files of one role that the head names
+constexpr std::size_t kMaxAccepted = 500;  // maximum number of accepted findings that the page lists
 
 std::string sorted_by(const std::string& value, const std::string& shown, const char* css) {
   return "<td class=\"" + std::string(css) + "\" data-v=\"" + xml_escaped(value) + "\">" + shown + "</td>";
@@ -140,6 +141,23 @@ std::string numbers(const std::vector<JobResult>& jobs) {
          (open > 0 ? box(std::to_string(open), "moves not checked", "open") : "") + "</div>\n";
 }
 
+// Returns the accepted findings of all jobs, with who accepted each of them and why; empty if there is none.
+std::string accepted_list(const std::vector<JobResult>& jobs) {
+  std::string items;
+  std::size_t count = 0;
+  for (const JobResult& job : jobs) {
+    for (const Finding& finding : job.findings) {
+      if (finding.justification.empty() || ++count > kMaxAccepted) continue;
+      items += "<li><b>" + xml_escaped(job.name) + "</b> line " + std::to_string(finding.line) + ": " +
+               xml_escaped(finding.message) + "</li>\n";  // the message has name, date and reason
+    }
+  }
+  if (count == 0) return {};
+  const std::string rest =
+      count > kMaxAccepted ? "<p>and " + std::to_string(count - kMaxAccepted) + " more, in the reports</p>\n" : "";
+  return "<h2>Accepted findings</h2>\n<ul class=\"accepted\">\n" + items + "</ul>\n" + rest;
+}
+
 }  // namespace
 
 std::string write_batch_page(const std::vector<JobResult>& jobs, const SignOff& sign_off) {
@@ -165,7 +183,7 @@ std::string write_batch_page(const std::vector<JobResult>& jobs, const SignOff& 
     page +=
         "<tr data-job=\"" + xml_escaped(jobs[job].name) + "\"" + report + ">" + page_row(jobs[job], rank++) + "</tr>\n";
   }
-  return page + "</tbody></table></div>\n<footer>" + kProgramName + " " + kProgramVersion +
+  return page + "</tbody></table></div>\n" + accepted_list(jobs) + "<footer>" + kProgramName + " " + kProgramVersion +
          "</footer>\n</main>\n<script>\n" + std::string(kBatchScript) + "</script>\n</body>\n</html>\n";
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -378,7 +379,10 @@ TEST_F(Accept, ABatchTakesABaselineAndSaysAccepted) {
   EXPECT_NE(ran.out.find("accepted-gouges"), std::string::npos) << ran.out;
   EXPECT_EQ(ran.out.find("1 clean"), std::string::npos) << ran.out;
   EXPECT_EQ(shop_.json("night/findings.sarif").at("runs").at(0).at("results").at(0).at("baselineState"), "unchanged");
-  EXPECT_NE(shop_.read("night/index.html").find("<strong>Accepted gouges</strong>"), std::string::npos);
+  const std::string page = shop_.read("night/index.html");
+  EXPECT_NE(page.find("<strong>Accepted gouges</strong>"), std::string::npos);
+  const std::string list = page.substr(std::min(page.find("<h2>Accepted findings</h2>"), page.size()));
+  EXPECT_NE(list.find("; accepted by "), std::string::npos) << list;
   EXPECT_EQ(
       shop_.run({"check", "path.apt", "--part", "part.stl", "--baseline", "accepted.json", "--csv", "accepted.json"})
           .exit_status,
