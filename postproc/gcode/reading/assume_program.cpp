@@ -6,7 +6,7 @@ namespace gouge {
 namespace {
 
 Assumption unit_of_program(const Toolpath& path, const GcodeOptions& options, const ProgramFacts& facts) {
-  Assumption fact{.subject = Subject::path_unit, .value = unit_name(path.unit), .code = "path-unit"};
+  Assumption fact{.subject = Subject::path_unit, .value = std::string(facts_of(path.unit).option), .code = "path-unit"};
   fact.remedy = "give --path-units mm or --path-units inch";
   if (facts.has_assumed_unit) {
     fact.basis = Basis::unknown;
@@ -28,8 +28,10 @@ Assumption unit_of_program(const Toolpath& path, const GcodeOptions& options, co
 
 Assumption control_of_program(std::string_view control, const ProgramSetup& setup) {
   Assumption fact{.subject = Subject::dialect, .value = "program of " + std::string(control), .code = "gcode-control"};
-  fact.basis = Basis::stated;
-  fact.evidence = setup.is_control_stated ? "--control" : "the control of the machine";
+  fact.basis = setup.is_control_of_program ? Basis::derived : Basis::stated;
+  fact.evidence = setup.is_control_of_program ? "the program begins with BEGIN PGM"
+                  : setup.is_control_stated   ? "--control"
+                                              : "the control of the machine";
   fact.remedy = "give --control";
   return fact;
 }

@@ -70,14 +70,18 @@ std::optional<Diagnostic> find_unreadable_program(const std::string& file, std::
 /// Returns the choice of a control for a program. It names the control whose words the program has, if only that control
 /// reads them.
 std::string expected_control(std::string_view bytes) {
-  if (is_heidenhain_program(bytes)) return "--control heidenhain, because the program begins with BEGIN PGM";
   if (is_siemens_program(bytes)) return "--control siemens, because the program has words of Siemens 840D";
   return "--control " + language_names();
 }
 
-Result<const ProgramLanguage*> language_of(const GcodeOptions& options, const std::string& file,
-                                           std::string_view bytes) {
-  const std::string& id = options.setup.control;
+/// Completes the control of the setup. Only programs of Heidenhain begin with BEGIN PGM.
+ProgramSetup with_control(ProgramSetup setup, std::string_view bytes) {
+  setup.is_control_of_program = setup.control.empty() && is_heidenhain_program(bytes);
+  if (setup.is_control_of_program) setup.control = kHeidenhain;
+  return setup;
+}
+
+Result<const ProgramLanguage*> language_of(const std::string& id, const std::string& file, std::string_view bytes) {
   if (id.empty())
     return make_error("gcode-control",
                       "the file is a program of a machine's control, and nothing states which; expected " +
@@ -179,11 +183,13 @@ bool is_gcode(std::string_view bytes) {
   return is_heidenhain_program(bytes) || is_iso_program(bytes) || is_siemens_program(bytes);
 }
 
-ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& options,
+ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& stated,
                        const ProgressCall& progress) {
   ReadOutcome outcome;
   if (auto error = find_unreadable_program(file_name, bytes)) return {std::nullopt, {std::move(*error)}};
-  const Result<const ProgramLanguage*> language = language_of(options, file_name, bytes);
+  GcodeOptions options = stated;
+  options.setup = with_control(std::move(options.setup), bytes);
+  const Result<const ProgramLanguage*> language = language_of(options.setup.control, file_name, bytes);
   if (!language) return {std::nullopt, {language.error()}};
   if ((*language)->id != kHeidenhain && is_heidenhain_program(bytes))
     return {std::nullopt,

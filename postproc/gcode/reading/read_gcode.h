@@ -29,7 +29,7 @@ namespace gouge {
 ///          not known; gcode-machine: a rotary word without a machine that has the axis.
 /// Cost     One pass. About 10 million words a second. Memory is the file, 104 bytes for each move, 12 for each line, and 48
 ///          for each move of a machine.
-[[nodiscard]] ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& options,
+[[nodiscard]] ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& stated,
                                      const ProgressCall& progress);
 
 }  // namespace gouge

@@ -42,6 +42,7 @@ enum class TipFrame : std::uint8_t {
 struct ProgramSetup {
   std::string control;                        ///< id of a ControlTable; empty: that of the machine's control
   bool is_control_stated = false;             ///< an option states `control`
+  bool is_control_of_program = false;         ///< the program itself shows `control`
   std::shared_ptr<const Machine> machine;     ///< null: a program without rotary words
   std::optional<RigidTransform> zero;         ///< maps part coordinates to machine coordinates
   std::map<std::string, WorkOffset> offsets;  ///< by name: "G54", "G54.1P3"
