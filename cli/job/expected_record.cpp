@@ -71,8 +71,7 @@ class ExpectedRecordMaker {
     verdict.depth_mm = move.depth_mm.value_or(0);
     verdict.depth_upper_mm = move.depth_upper_mm.value_or(kUnbounded);
     if (move.state != MoveState::gouge) verdict.clearance_mm = move.clearance_mm;  // a gouge has none
-    verdict.overcut_mm = move.overcut_mm;
-    verdict.overcut_upper_mm = move.overcut_upper_mm.value_or(kUnbounded);
+    if (move.overcut_mm) verdict.overcut = OvercutBounds{*move.overcut_mm, move.overcut_upper_mm.value_or(kUnbounded)};
     verdict.reason = reason_of(move);
     if (!claim.witness) return;
     const ClaimedWitness& w = *claim.witness;
@@ -90,7 +89,7 @@ class ExpectedRecordMaker {
     const MoveVerdict& verdict = made_.verdicts[move.move];
     ListedMove one{.move = move.move, .state = claimed_state(move.state)};
     one.depth_mm = verdict.depth_mm;
-    one.clearance_mm = verdict.clearance_mm;
+    one.clearance_mm = verdict.clearance_mm.optional();
     one.reason = move.reason;
     if (move.witness) {
       one.has_witness = true;

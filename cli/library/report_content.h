@@ -59,7 +59,7 @@ struct Report::Content {
     state.push_back(static_cast<State>(verdict.state));
     depth.push_back(has_depth ? verdict.depth_mm : kNone);
     depth_upper.push_back(has_depth ? verdict.depth_upper_mm : kNone);
-    overcut.push_back(verdict.overcut_mm.value_or(kNone));
+    overcut.push_back(verdict.overcut ? verdict.overcut->lower_mm : kNone);
     const auto& witness = verdict.witness;
     t.push_back(witness ? witness->t : kNone);
     point.push_back(witness ? to_array(witness->point) : Vec3{kNone, kNone, kNone});

@@ -10,7 +10,7 @@ void add_verdict(const gouge::MoveVerdict& verdict, Finding& finding) {
   if (finding.state == State::gouge) {
     finding.depth = verdict.depth_mm;
     finding.depth_upper = verdict.depth_upper_mm;
-    finding.overcut = verdict.overcut_mm.value_or(Finding::kNone);
+    if (verdict.overcut) finding.overcut = verdict.overcut->lower_mm;
   }
   if (finding.state == State::near_miss) finding.clearance = verdict.clearance_mm.value_or(Finding::kNone);
   if (!verdict.witness) return;

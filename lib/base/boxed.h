@@ -14,6 +14,7 @@ class Boxed {
   Boxed() = default;
   Boxed(std::nullopt_t /*none*/) {}
   Boxed(Value value) : value_(std::make_unique<Value>(std::move(value))) {}
+  Boxed(const std::optional<Value>& value) : value_(value ? std::make_unique<Value>(*value) : nullptr) {}
   Boxed(const Boxed& other) : value_(other ? std::make_unique<Value>(*other) : nullptr) {}
   Boxed(Boxed&& other) noexcept = default;
   Boxed& operator=(Boxed other) noexcept {
@@ -28,6 +29,9 @@ class Boxed {
   [[nodiscard]] const Value& operator*() const { return *value_; }
   [[nodiscard]] Value* operator->() { return value_.get(); }
   [[nodiscard]] const Value* operator->() const { return value_.get(); }
+
+  [[nodiscard]] Value value_or(Value otherwise) const { return value_ ? *value_ : otherwise; }
+  [[nodiscard]] std::optional<Value> optional() const { return value_ ? std::optional(*value_) : std::nullopt; }
 
   Value& emplace() { return *(value_ = std::make_unique<Value>()); }
   void reset() { value_.reset(); }

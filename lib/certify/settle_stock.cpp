@@ -27,7 +27,7 @@ class Settling {
     if (!finding.witness) {
       verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), finding.unknown, finding.body);
       if (finding.body == Body::head && is_turn_open(finding.move))
-        verdict.reason = {Reason::Kind::turn_undecided, Body::head, 0, {}};
+        verdict.reason = {Reason::Kind::turn_undecided, Body::head};
     } else if (path_.moves[finding.move].is_linked && !path_.moves[finding.move].has_start) {
       verdict = not_checked(link_reason(path_, finding.move));  // the file does not state the way to this position
     } else {
@@ -39,7 +39,7 @@ class Settling {
     MoveVerdict& verdict = result_.verdicts[move];
     if (!is_free(verdict)) return;
     verdict = open(std::numeric_limits<double>::infinity(), {}, Body::cutter);
-    verdict.reason = {Reason::Kind::stock_motion_open, Body::cutter, 0, {}};
+    verdict.reason = {Reason::Kind::stock_motion_open, Body::cutter};
   }
 
  private:
@@ -82,9 +82,8 @@ class Settling {
     MoveVerdict verdict;
     verdict.state = MoveState::not_certified;
     verdict.depth_upper_mm = depth_upper_mm;
-    verdict.reason.kind = unknown ? Reason::Kind::stock_unknown : Reason::Kind::stock_touched;
-    if (unknown) verdict.reason.detail = place_of(unknown);
-    verdict.reason.body = body;
+    verdict.reason = unknown ? Reason{Reason::Kind::stock_unknown, body, 0, place_of(unknown)}
+                             : Reason{Reason::Kind::stock_touched, body};
     return verdict;
   }
 

@@ -1,7 +1,7 @@
 #include "lib/check/check_path.h"
 
 #include <algorithm>
-#include <mutex>
+#include <numeric>
 #include <utility>
 
 #include "lib/base/parallel.h"
@@ -23,15 +23,17 @@ class PathChecker {
               const CheckOptions& options)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
 
-  /// Checks the moves [first, last). Neighbouring moves of one tool are checked together.
-  void check(std::size_t first, std::size_t last, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) const {
+  /// Checks the moves [first, last), and returns the number of bounds. Neighbouring moves of one tool are checked
+  /// together.
+  [[nodiscard]] std::uint64_t check(std::size_t first, std::size_t last, MoveVerdicts& verdicts) const {
+    std::uint64_t bounds = 0;
     Batch batch;
     batch.moves.reserve(last - first);
     batch.motions.reserve(last - first);
     batch.kinds.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) {
       const Move& move = toolpath_.moves[i];
-      if (!batch.moves.empty() && !has_same_tool(batch.moves.back(), i)) check(batch, verdicts, bounds);
+      if (!batch.moves.empty() && !has_same_tool(batch.moves.back(), i)) bounds += check(batch, verdicts);
       if (Reason reason = why_not(i); !reason.is(Reason::Kind::none)) {
         verdicts[i] = not_checked(std::move(reason));
         continue;
@@ -47,7 +49,7 @@ class PathChecker {
       batch.motions.push_back(std::move(motion));
       batch.kinds.push_back(move.kind);
     }
-    check(batch, verdicts, bounds);
+    return bounds + check(batch, verdicts);
   }
 
  private:
@@ -88,8 +90,9 @@ class PathChecker {
     return move.curve_kind == CurveKind::none || move.curve < toolpath_.splines.size();
   }
 
-  void check(Batch& batch, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) const {
-    if (batch.moves.empty()) return;
+  /// Checks and empties the batch, and returns the number of bounds.
+  [[nodiscard]] std::uint64_t check(Batch& batch, MoveVerdicts& verdicts) const {
+    if (batch.moves.empty()) return 0;
     const std::size_t count = batch.moves.size();
     std::vector<MoveVerdict> found(count);
     std::vector<std::uint64_t> spent(count, 0);
@@ -99,11 +102,11 @@ class PathChecker {
       tighten(batch.motions[k], batch.kinds[k], tool, found[k], spent[k]);
       check_link(batch.moves[k], tool, found[k], spent[k]);
       verdicts[batch.moves[k]] = std::move(found[k]);
-      bounds[batch.moves[k]] = spent[k];
     }
     batch.moves.clear();
     batch.motions.clear();
     batch.kinds.clear();
+    return std::accumulate(spent.begin(), spent.end(), std::uint64_t{0});
   }
 
   void check_link(std::size_t index, const ToolVariants& tool, MoveVerdict& verdict, std::uint64_t& spent) const {
@@ -138,13 +141,13 @@ class PathChecker {
   const CheckOptions& options_;
 };
 
-// Returns the stored form of verdicts. The sum of the bounds is stored with the first move.
-CheckpointForm form_of(const Scene& scene, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) {
+// Returns the stored form of verdicts. The sum of the bounds is stored with the first chunk.
+CheckpointForm form_of(const Scene& scene, MoveVerdicts& verdicts, std::vector<std::uint64_t>& bounds) {
   CheckpointForm form;
   form.write = [&](std::size_t first, std::size_t last) {
     std::string bytes;
     std::uint64_t sum = 0;
-    for (std::size_t i = first; i < last; ++i) sum += bounds[i];
+    for (std::size_t chunk = first / kMovesPerChunk; chunk * kMovesPerChunk < last; ++chunk) sum += bounds[chunk];
     append_bytes(sum, bytes);
     for (std::size_t i = first; i < last; ++i) append_bytes(verdicts[i], bytes);
     return bytes;
@@ -155,7 +158,7 @@ CheckpointForm form_of(const Scene& scene, MoveVerdicts& verdicts, PagedVector<s
     bool is_whole = take_bytes(bytes, sum);
     for (MoveVerdict& verdict : read) is_whole = is_whole && take_bytes(bytes, verdict) && is_of_meshes(verdict, scene);
     if (!is_whole || !bytes.empty()) return false;
-    bounds[first] = sum;
+    bounds[first / kMovesPerChunk] = sum;
     std::move(read.begin(), read.end(), verdicts.begin() + static_cast<std::ptrdiff_t>(first));
     return true;
   };
@@ -175,14 +178,14 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVar
   const std::size_t total = toolpath.moves.size();
   result.verdicts.resize(total);
   const PathChecker checker(toolpath, tools, scene, options);
-  PagedVector<std::uint64_t> bounds(total, 0);
+  std::vector<std::uint64_t> bounds((total + kMovesPerChunk - 1) / kMovesPerChunk, 0);
   for_each_checkpointed_chunk(total, kMovesPerChunk, options.threads, "checking moves", progress, kept,
                               form_of(*scene.scene, result.verdicts, bounds), [&](std::size_t first, std::size_t last) {
-                                checker.check(first, last, result.verdicts, bounds);
+                                bounds[first / kMovesPerChunk] = checker.check(first, last, result.verdicts);
                               });
   if (scene.is_within_reach && why_unfit(options) == Reason::Kind::none)
     mark_buried(toolpath, tools, scene, options, result.verdicts);
-  for (const std::uint64_t b : bounds) result.evaluations += b;
+  result.evaluations = std::accumulate(bounds.begin(), bounds.end(), std::uint64_t{0});
   return result;
 }
 

@@ -69,10 +69,10 @@ std::string reach_text(double reach_mm) {
 }
 
 std::string value_of(std::string_view name, const Reason& reason) {
-  if (name == "detail") return std::string(reason.detail_text());
-  if (name == "count") return std::to_string(static_cast<std::uint64_t>(reason.amount));
-  if (name == "mm") return exact_text(reason.amount);
-  if (name == "reach") return reach_text(reason.amount);
+  if (name == "detail") return std::string(reason.detail());
+  if (name == "count") return std::to_string(static_cast<std::uint64_t>(reason.amount()));
+  if (name == "mm") return exact_text(reason.amount());
+  if (name == "reach") return reach_text(reason.amount());
   if (name == "in head") return reason.body == Body::head ? "in the head" : "there";
   // For the cutter the word "tool" stays, because reports have always used it.
   return name == "whole" && reason.body == Body::cutter ? "tool" : body_name(reason.body);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "lib/base/boxed.h"
 #include "lib/tool/compiled_tool.h"
@@ -41,19 +42,32 @@ struct Reason {
     stock_met,                ///< remaining stock is met: `detail` has when, and which cut came nearest
   };
 
+  Reason() = default;
+  Reason(Kind its_kind, Body its_body = Body::cutter) : kind(its_kind), body(its_body) {}
+  Reason(Kind its_kind, Body its_body, double amount, std::string detail = {})
+      : kind(its_kind), body(its_body), facts_(Facts{amount, std::move(detail)}) {}
+
   Kind kind = Kind::none;
   Body body = Body::cutter;
-  double amount = 0;
-  Boxed<std::string> detail{};  ///< boxed, because each of millions of moves has a reason
 
-  [[nodiscard]] std::string_view detail_text() const { return detail ? std::string_view(*detail) : std::string_view(); }
+  [[nodiscard]] double amount() const { return facts_ ? facts_->amount : 0; }
+  [[nodiscard]] std::string_view detail() const {
+    return facts_ ? std::string_view(facts_->detail) : std::string_view();
+  }
   [[nodiscard]] bool is(Kind of) const { return kind == of; }
   /// Returns whether the reason is a limit that a gouge exceeded; such a reason leaves nothing undecided.
   [[nodiscard]] bool names_limit() const { return kind >= Kind::clearance_entered; }
   [[nodiscard]] bool is_same(const Reason& other) const {
-    return kind == other.kind && body == other.body && !(amount < other.amount) && !(other.amount < amount) &&
-           detail_text() == other.detail_text();
+    return kind == other.kind && body == other.body && !(amount() < other.amount()) && !(other.amount() < amount()) &&
+           detail() == other.detail();
   }
+
+ private:
+  struct Facts {
+    double amount = 0;
+    std::string detail;
+  };
+  Boxed<Facts> facts_;  // boxed, because each of millions of moves has a reason
 };
 
 /// Returns the sentence for people; empty if there is no reason.

@@ -36,17 +36,23 @@ struct Witness {
   std::optional<TurnShares> turn{};
 };
 
+/// Bounds of the depth that a tool reached below the surface of a closed solid.
+struct OvercutBounds {
+  double lower_mm = 0, upper_mm = 0;
+};
+
+/// A path has millions of verdicts, and most are clean. So all that a clean move has not is boxed.
 struct MoveVerdict {
   MoveState state = MoveState::clean;
   double depth_mm = 0;  ///< depth of the witness; depth <= true depth <= depth_upper
   double depth_upper_mm = 0;
-  Boxed<Witness> witness;              ///< present if depth > 0; for a near miss: the closest surface point
-  std::optional<double> clearance_mm;  ///< for a near miss: distance at the witness
-  std::optional<double> overcut_mm;  ///< gouge of a closed solid: lower bound of the depth that the tool reached below
-                                     ///< its surface
-  double overcut_upper_mm = 0;       ///< upper bound of that depth; valid with overcut_mm
+  Boxed<Witness> witness;        ///< present if depth > 0; for a near miss: the closest surface point
+  Boxed<double> clearance_mm;    ///< for a near miss: distance at the witness
+  Boxed<OvercutBounds> overcut;  ///< of a gouge of a closed solid
   Reason reason;  ///< of a move that is not checked, not certified or buried; for a gouge or a near miss a remark
 
+  /// Returns the lower bound of the overcut; 0 if none was measured.
+  [[nodiscard]] double overcut_mm() const { return overcut ? overcut->lower_mm : 0; }
   /// Returns whether the witness is in remaining stock, not in a mesh of the scene.
   [[nodiscard]] bool is_in_stock() const { return witness && witness->against == Against::stock; }
 };

@@ -55,17 +55,19 @@ bool take(std::string_view& bytes, Witness& w) {
 void append(const Reason& reason, std::string& bytes) {
   append(reason.kind, bytes);
   append(reason.body, bytes);
-  append(reason.amount, bytes);
-  append(static_cast<std::uint64_t>(reason.detail_text().size()), bytes);
-  bytes += reason.detail_text();
+  append(reason.amount(), bytes);
+  append(static_cast<std::uint64_t>(reason.detail().size()), bytes);
+  bytes += reason.detail();
 }
 
 bool take(std::string_view& bytes, Reason& reason) {
+  Reason::Kind kind{};
+  Body body{};
+  double amount = 0;
   std::uint64_t length = 0;
-  if (!take(bytes, reason.kind) || !take(bytes, reason.body) || !take(bytes, reason.amount) || !take(bytes, length) ||
-      bytes.size() < length)
+  if (!take(bytes, kind) || !take(bytes, body) || !take(bytes, amount) || !take(bytes, length) || bytes.size() < length)
     return false;
-  if (length > 0) reason.detail = std::string(bytes.substr(0, length));
+  reason = {kind, body, amount, std::string(bytes.substr(0, length))};
   bytes.remove_prefix(length);
   return true;
 }
@@ -85,15 +87,15 @@ bool is_possible(const Reason& reason) {
   using enum Reason::Kind;
   constexpr double kMaxCounted = 9e15;
   const bool is_counted = reason.is(link_gouges) || reason.is(out_of_budget) || reason.is(head_out_of_budget);
-  if (is_counted && !(reason.amount >= 0 && reason.amount <= kMaxCounted)) return false;
-  return reason.kind <= mesh_tolerance_exceeded && is_possible(reason.body) && !std::isnan(reason.amount);
+  if (is_counted && !(reason.amount() >= 0 && reason.amount() <= kMaxCounted)) return false;
+  return reason.kind <= mesh_tolerance_exceeded && is_possible(reason.body) && !std::isnan(reason.amount());
 }
 
 bool is_possible(const MoveVerdict& v) {
   const auto is_length = [](double length_mm) { return length_mm >= 0 && std::isfinite(length_mm); };
   return is_length(v.depth_mm) && v.depth_upper_mm >= 0 && (!v.witness || is_possible(*v.witness)) &&
          (!v.clearance_mm || is_length(*v.clearance_mm)) &&
-         (!v.overcut_mm || (is_length(*v.overcut_mm) && v.overcut_upper_mm >= 0)) && is_possible(v.reason);
+         (!v.overcut || (is_length(v.overcut->lower_mm) && v.overcut->upper_mm >= 0)) && is_possible(v.reason);
 }
 
 bool is_zero(double number) { return std::fpclassify(number) == FP_ZERO && !std::signbit(number); }
@@ -108,18 +110,17 @@ bool take_bytes(std::string_view& bytes, std::uint64_t& count) { return take(byt
 void append_bytes(const MoveVerdict& v, std::string& bytes) {
   const bool has_reason = !v.reason.is_same({});
   const auto flag = [](bool is_there, std::uint8_t bit) { return is_there ? bit : std::uint8_t{0}; };
-  const auto head =
-      static_cast<std::uint8_t>(static_cast<std::uint8_t>(v.state) | flag(!is_zero(v.depth_mm), kDepth) |
-                                flag(v.witness.has_value(), kWitness) | flag(v.clearance_mm.has_value(), kClearance) |
-                                flag(v.overcut_mm.has_value(), kOvercut) | flag(has_reason, kReason));
+  const auto head = static_cast<std::uint8_t>(
+      static_cast<std::uint8_t>(v.state) | flag(!is_zero(v.depth_mm), kDepth) | flag(v.witness.has_value(), kWitness) |
+      flag(v.clearance_mm.has_value(), kClearance) | flag(v.overcut.has_value(), kOvercut) | flag(has_reason, kReason));
   append(head, bytes);
   append(v.depth_upper_mm, bytes);
   if ((head & kDepth) != 0) append(v.depth_mm, bytes);
   if (v.witness) append(*v.witness, bytes);
   if (v.clearance_mm) append(*v.clearance_mm, bytes);
-  if (v.overcut_mm) {
-    append(*v.overcut_mm, bytes);
-    append(v.overcut_upper_mm, bytes);
+  if (v.overcut) {
+    append(v.overcut->lower_mm, bytes);
+    append(v.overcut->upper_mm, bytes);
   }
   if (has_reason) append(v.reason, bytes);
 }
@@ -137,8 +138,8 @@ bool take_bytes(std::string_view& bytes, MoveVerdict& verdict) {
   if ((head & kWitness) != 0) taken(kWitness, v.witness.emplace());
   if ((head & kClearance) != 0) taken(kClearance, v.clearance_mm.emplace());
   if ((head & kOvercut) != 0) {
-    taken(kOvercut, v.overcut_mm.emplace());
-    taken(kOvercut, v.overcut_upper_mm);
+    taken(kOvercut, v.overcut.emplace().lower_mm);
+    taken(kOvercut, v.overcut->upper_mm);
   }
   taken(kReason, v.reason);
   verdict = std::move(v);

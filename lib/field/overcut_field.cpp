@@ -93,7 +93,7 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
     double largest = 0;
     for (std::size_t move = pose.first_move; move <= pose.last_move; ++move) {
       const MoveVerdict& verdict = verdicts[move];
-      const double reported = verdict.overcut_mm.value_or(0);
+      const double reported = verdict.overcut_mm();
       if (!(reported > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
       largest = std::max(largest, reported);
       const Witness& w = *verdict.witness;

@@ -90,7 +90,7 @@ class Measuring {
                                 });
     result_.worst_overcut_mm = 0;
     for (const std::size_t i : gouges_)
-      result_.worst_overcut_mm = std::max(result_.worst_overcut_mm, result_.verdicts[i].overcut_mm.value_or(0));
+      result_.worst_overcut_mm = std::max(result_.worst_overcut_mm, result_.verdicts[i].overcut_mm());
   }
 
  private:
@@ -153,8 +153,9 @@ class Measuring {
       if (!is_worst_[move]) search.max_cells = kCellsOfOthers;
       search.rounded_bound_mm = rounded_bound_mm;
       const Overcut found = find_overcut(moving, part, seed, verdict.witness->t, search);
-      verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), found.depth_mm);
-      verdict.overcut_upper_mm = std::max(verdict.overcut_upper_mm, found.depth_upper_mm);
+      const OvercutBounds before = verdict.overcut.value_or({});
+      verdict.overcut =
+          OvercutBounds{std::max(before.lower_mm, found.depth_mm), std::max(before.upper_mm, found.depth_upper_mm)};
     };
     for (const Motion& one : motions_of(motion)) {
       if (verdict.witness->body == Body::head) {

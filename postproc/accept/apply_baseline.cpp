@@ -221,10 +221,10 @@ class Baseline {
     if (!is_within(now.depth_upper_mm, then.depth_upper_mm + resolution_mm))
       return "certified to " + depth_text(now.depth_upper_mm, unit) + " only, accepted up to " +
              depth_text(then.depth_upper_mm, unit);
-    if (!now.overcut_mm) return std::nullopt;
+    if (!now.overcut) return std::nullopt;
     if (!then.overcut_upper_mm) return std::string("known with an overcut now, and was accepted without");
-    if (!is_within(*now.overcut_mm, *then.overcut_upper_mm))
-      return "at an overcut of " + depth_text(*now.overcut_mm, unit) + ", accepted up to " +
+    if (!is_within(now.overcut->lower_mm, *then.overcut_upper_mm))
+      return "at an overcut of " + depth_text(now.overcut->lower_mm, unit) + ", accepted up to " +
              depth_text(*then.overcut_upper_mm, unit);
     return std::nullopt;
   }

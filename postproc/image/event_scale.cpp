@@ -76,7 +76,7 @@ double worst_on_surface(const CheckResult& result) {
   for (const MoveVerdict& v : result.verdicts) {
     if (v.state != MoveState::gouge) continue;
     const bool is_head = v.witness && v.witness->body == Body::head;
-    worst = std::max(worst, v.overcut_mm.value_or(0) > 0 && !is_head ? *v.overcut_mm : v.depth_mm);
+    worst = std::max(worst, v.overcut_mm() > 0 && !is_head ? v.overcut_mm() : v.depth_mm);
   }
   return worst;
 }

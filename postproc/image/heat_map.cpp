@@ -160,7 +160,7 @@ double largest_overcut_mm(const CheckResult& result, const Event& event) {
   double largest = 0;
   for (std::size_t i = event.first_move; i <= event.last_move; ++i) {
     const MoveVerdict& v = result.verdicts[i];
-    if (v.state == MoveState::gouge) largest = std::max(largest, v.overcut_mm.value_or(0));
+    if (v.state == MoveState::gouge) largest = std::max(largest, v.overcut_mm());
   }
   return largest;
 }

@@ -146,7 +146,7 @@ double overcut_of(const ReportModel& model, const Event& event) {
   if (event.state != MoveState::gouge) return largest;
   for (std::size_t i = event.first_move; i <= event.last_move; ++i) {
     const MoveVerdict& verdict = model.result->verdicts[i];
-    if (verdict.state == MoveState::gouge) largest = std::max(largest, verdict.overcut_mm.value_or(0));
+    if (verdict.state == MoveState::gouge) largest = std::max(largest, verdict.overcut_mm());
   }
   return largest;
 }

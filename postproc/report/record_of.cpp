@@ -281,11 +281,11 @@ class RecordMaker {
       record.depth_mm = finite(verdict.depth_mm);
       record.depth_upper_mm = finite(verdict.depth_upper_mm);
     }
-    if (verdict.overcut_mm) {
-      record.overcut_mm = finite(*verdict.overcut_mm);
-      record.overcut_upper_mm = finite(verdict.overcut_upper_mm);
+    if (verdict.overcut) {
+      record.overcut_mm = finite(verdict.overcut->lower_mm);
+      record.overcut_upper_mm = finite(verdict.overcut->upper_mm);
     }
-    record.clearance_mm = verdict.clearance_mm;
+    record.clearance_mm = verdict.clearance_mm.optional();
     if (const Boxed<Witness>& w = verdict.witness) {
       record.witness = {w->t, w->point, w->normal, w->body, w->against, mesh_name(model_, *w), w->triangle, {}};
       if (w->turn) record.witness->turn = {(*w->turn)[0], (*w->turn)[1]};

@@ -23,11 +23,11 @@ struct Remedy {
 
 constexpr std::array<Remedy, 4> kRemedies = {{
     {[](const Reason& reason) {
-       return reason.is(Reason::Kind::of_path) && kind_of(reason.detail_text()) == ReasonKind::compensated;
+       return reason.is(Reason::Kind::of_path) && kind_of(reason.detail()) == ReasonKind::compensated;
      },
      "--cutcom centre", "it states that positions under CUTCOM are the cutter's centre"},
     {[](const Reason& reason) {
-       return reason.is(Reason::Kind::of_path) && kind_of(reason.detail_text()) == ReasonKind::around_hole;
+       return reason.is(Reason::Kind::of_path) && kind_of(reason.detail()) == ReasonKind::around_hole;
      },
      "--retract-plane Z", "it states the height to which drilling cycles retract that name none"},
     {[](const Reason& reason) { return reason.is(Reason::Kind::no_tool); }, "--tool NAME",

@@ -50,15 +50,15 @@ Gaps depth_gaps(const ReportModel& model) {
 
 Gaps overcut_gaps(const ReportModel& model) {
   return gaps_of(model, [](const MoveVerdict& v) {
-    if (!v.overcut_mm) return std::optional<Gap>();
-    return std::optional(Gap{v.overcut_upper_mm - *v.overcut_mm, overcut_gap_mm(*v.overcut_mm)});
+    if (!v.overcut) return std::optional<Gap>();
+    return std::optional(Gap{v.overcut->upper_mm - v.overcut->lower_mm, overcut_gap_mm(v.overcut->lower_mm)});
   });
 }
 
 double worst_overcut_upper_mm(const CheckResult& result) {
   double worst = 0;
   for (const MoveVerdict& v : result.verdicts) {
-    if (v.overcut_mm) worst = std::max(worst, v.overcut_upper_mm);
+    if (v.overcut) worst = std::max(worst, v.overcut->upper_mm);
   }
   return worst;
 }

@@ -63,9 +63,9 @@ void add_row(const ReportModel& model, const PathCells& cells, std::size_t index
   row.text(PathCells::at(cells.operations, move.operation));
   row.text(without_formula(reason_text(verdict.reason)));
   verdict.clearance_mm ? length(row, *verdict.clearance_mm) : row.empty(1);
-  if (verdict.overcut_mm) {
-    length(row, *verdict.overcut_mm);
-    length(row, verdict.overcut_upper_mm);
+  if (verdict.overcut) {
+    length(row, verdict.overcut->lower_mm);
+    length(row, verdict.overcut->upper_mm);
   } else {
     row.empty(2);
   }

@@ -293,7 +293,7 @@ Json finding_json(const ReportModel& model, const CheckedToolpath& input, const 
   if (event.state == MoveState::gouge) {
     add("Depth", depth_text(verdict.depth_mm, unit, model.options));
     add("At most", depth_text(verdict.depth_upper_mm, unit, model.options));
-    if (verdict.overcut_mm.value_or(0) > 0) add("Overcut", depth_text(*verdict.overcut_mm, unit));
+    if (verdict.overcut_mm() > 0) add("Overcut", depth_text(verdict.overcut_mm(), unit));
   }
   if (event.state == MoveState::near_miss)
     add("Left", depth_text(verdict.clearance_mm.value_or(0), unit, model.options));

@@ -144,7 +144,7 @@ class Campaign {
     const reference::Contour bare(job.tool.bare);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
       const MoveVerdict& v = result.verdicts[i];
-      if (v.state != MoveState::gouge || !v.overcut_mm) continue;
+      if (v.state != MoveState::gouge || !v.overcut) continue;
       reference::Movement movement = reference::movement(job.path, i);
       if (law_) movement.frames = laws::frames_of(*law_, job.path, i);
       const Motion motion = options.law.of(job.path, i);
@@ -166,8 +166,8 @@ class Campaign {
     const auto fail = [&](const std::string& what, double value) {
       std::ostringstream text;
       text.precision(17);
-      text << where_ << ", " << job.tool_name << ", move " << i << ": overcut " << *v.overcut_mm << " to "
-           << v.overcut_upper_mm << ", depth " << v.depth_mm << " to " << v.depth_upper_mm << "; " << what << " "
+      text << where_ << ", " << job.tool_name << ", move " << i << ": overcut " << v.overcut->lower_mm << " to "
+           << v.overcut->upper_mm << ", depth " << v.depth_mm << " to " << v.depth_upper_mm << "; " << what << " "
            << value;
       ADD_FAILURE() << text.str();
     };
@@ -187,15 +187,16 @@ class Campaign {
       if (std::abs(distance - found.depth_mm) > kRounding_mm) fail("its distance is", distance);
       if (distance > kRounding_mm && !part.has_inside(found.point)) fail("it is outside, by", distance);
     }
-    if (found.depth_mm > v.overcut_upper_mm + kRounding_mm) fail("cells alone reach", found.depth_mm);
-    if (*v.overcut_mm > found.depth_upper_mm + kRounding_mm) fail("cells alone bound it by", found.depth_upper_mm);
+    if (found.depth_mm > v.overcut->upper_mm + kRounding_mm) fail("cells alone reach", found.depth_mm);
+    if (v.overcut->lower_mm > found.depth_upper_mm + kRounding_mm)
+      fail("cells alone bound it by", found.depth_upper_mm);
     const Deepest deepest = look_for_deepest(moving, part, {found.depth_mm, found.t, found.point}, random);
-    if (deepest.depth_mm > v.overcut_upper_mm + kRounding_mm) fail("a point was found at", deepest.depth_mm);
+    if (deepest.depth_mm > v.overcut->upper_mm + kRounding_mm) fail("a point was found at", deepest.depth_mm);
     if (deepest.depth_mm > found.depth_upper_mm + kRounding_mm)
       fail("a point was found beyond the cells' bound:", deepest.depth_mm);
-    if (v.overcut_upper_mm - *v.overcut_mm > overcut_gap_mm(*v.overcut_mm) + kRounding_mm) ++open;
+    if (v.overcut->upper_mm - v.overcut->lower_mm > overcut_gap_mm(v.overcut->lower_mm) + kRounding_mm) ++open;
     const Deepest own = look_for_deepest(moving, part, {}, random);
-    if (own.depth_mm > 0.9 * *v.overcut_mm) ++reached;
+    if (own.depth_mm > 0.9 * v.overcut->lower_mm) ++reached;
   }
 
   std::optional<TurnLaw> law_;

@@ -35,5 +35,14 @@ TEST(Boxed, MovesWithoutACopy) {
   EXPECT_EQ(&*taken, place);
 }
 
+TEST(Boxed, ConvertsFromAndToAnOptional) {
+  const Boxed<double> none = std::optional<double>(), two = std::optional<double>(2);
+  EXPECT_FALSE(none.has_value());
+  EXPECT_EQ(none.optional(), std::nullopt);
+  EXPECT_EQ(none.value_or(3), 3);
+  EXPECT_EQ(two.optional(), 2);
+  EXPECT_EQ(two.value_or(3), 2);
+}
+
 }  // namespace
 }  // namespace gouge::boxed_test

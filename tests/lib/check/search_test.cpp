@@ -210,7 +210,7 @@ TEST(Search, ANearMissWithinTheToleranceSaysItsDepth) {
   ASSERT_EQ(v.state, MoveState::near_miss);
   EXPECT_NEAR(v.depth_mm, 0.005, 1e-9);
   EXPECT_GE(v.depth_upper_mm, v.depth_mm);
-  EXPECT_EQ(v.clearance_mm, 0);
+  EXPECT_EQ(v.clearance_mm.optional(), 0);
   ASSERT_TRUE(v.witness.has_value());
 }
 

@@ -23,8 +23,7 @@ MoveVerdict gouge_with_all() {
   v.witness =
       Witness{0.25, Vec3(1, -0.0, 3e-300), Vec3(0, 0.6, -0.8), Body::holder, Against::fixture, 7, 4'000'000'000};
   v.clearance_mm = 0;
-  v.overcut_mm = 0.5;
-  v.overcut_upper_mm = 0.625;
+  v.overcut = OvercutBounds{0.5, 0.625};
   v.reason = {Reason::Kind::clearance_entered, Body::shank, -1.5, std::string("text\0of\nall bytes\xff", 18)};
   return v;
 }
@@ -51,8 +50,8 @@ TEST(VerdictBytes, ReadBackToEveryBit) {
     EXPECT_EQ(read.state, verdict.state);
     EXPECT_EQ(std::signbit(read.depth_mm), std::signbit(verdict.depth_mm));
     EXPECT_EQ(read.witness.has_value(), verdict.witness.has_value());
-    EXPECT_EQ(read.clearance_mm, verdict.clearance_mm);
-    EXPECT_EQ(read.overcut_mm, verdict.overcut_mm);
+    EXPECT_EQ(read.clearance_mm.optional(), verdict.clearance_mm.optional());
+    EXPECT_EQ(read.overcut.has_value(), verdict.overcut.has_value());
     EXPECT_TRUE(read.reason.is_same(verdict.reason));
   }
   EXPECT_TRUE(left.empty());
@@ -97,7 +96,7 @@ TEST(VerdictBytes, WhatNoVerdictCanBeIsNotTaken) {
   EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.depth_mm = nan; }));
   EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.depth_mm = infinity; }));
   EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.depth_upper_mm = nan; }));
-  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.overcut_mm = -1.0; }));
+  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.overcut = OvercutBounds{-1, 0}; }));
   EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.clearance_mm = infinity; }));
   EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason.kind = static_cast<Reason::Kind>(200); }));
   EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason.body = static_cast<Body>(9); }));

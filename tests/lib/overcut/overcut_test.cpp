@@ -30,8 +30,8 @@ TEST(Overcut, OfAPlunge20mmDeepIs20mmWhereDepthSaturatesAtTheRadius) {
     const CheckResult result = check({paths::upright(0, 0, 10), paths::upright(0, 0, -20)}, tool, kBlock);
     ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
     EXPECT_NEAR(result.verdicts[1].depth_mm, 5, 1e-3);
-    ASSERT_TRUE(result.verdicts[1].overcut_mm.has_value());
-    EXPECT_NEAR(*result.verdicts[1].overcut_mm, 20, 1e-3);
+    ASSERT_TRUE(result.verdicts[1].overcut.has_value());
+    EXPECT_NEAR(result.verdicts[1].overcut_mm(), 20, 1e-3);
     EXPECT_NEAR(result.worst_overcut_mm, 20, 1e-3);
   }
 }
@@ -41,14 +41,14 @@ TEST(Overcut, OfAShallowGougeIsItsDepthToSecondOrder) {
     const CheckResult result = check(
         {paths::upright(-20, 0, 5), paths::upright(0, 0, -depth), paths::upright(20, 0, 5)}, tools::ball(10), kBlock);
     EXPECT_NEAR(result.verdicts[1].depth_mm, depth, 1e-3);
-    EXPECT_NEAR(*result.verdicts[1].overcut_mm, depth, 1e-3 + depth * depth);
+    EXPECT_NEAR(result.verdicts[1].overcut_mm(), depth, 1e-3 + depth * depth);
   }
 }
 
 TEST(Overcut, IsMeasuredOnTheCurvedPartAsWell) {
   const IndexedMesh part = shapes::sphere(30, 60, 120);
   const CheckResult result = check({paths::upright(0, 0, 40), paths::upright(0, 0, 29.8)}, tools::ball(10), part);
-  EXPECT_NEAR(*result.verdicts[1].overcut_mm, 0.2, 0.005);
+  EXPECT_NEAR(result.verdicts[1].overcut_mm(), 0.2, 0.005);
 }
 
 // A box in the material of another one, and one across its face: 6 mm below the face above, and nearer to a face of the
@@ -60,10 +60,10 @@ TEST(Overcut, IsTrueWhereShellsLieInOneAnotherOrCross) {
     const CheckResult result =
         check({paths::upright(0, 8, 10), paths::upright(0, 8, -6), paths::upright(0, 8, 10)}, tools::ball(2), part);
     for (const std::size_t move : {std::size_t{1}, std::size_t{2}}) {
-      ASSERT_TRUE(result.verdicts[move].overcut_mm.has_value());
-      EXPECT_NEAR(*result.verdicts[move].overcut_mm, 6, 1e-3);
-      EXPECT_GE(result.verdicts[move].overcut_upper_mm, 6);
-      EXPECT_LE(result.verdicts[move].overcut_upper_mm, 6.061);
+      ASSERT_TRUE(result.verdicts[move].overcut.has_value());
+      EXPECT_NEAR(result.verdicts[move].overcut_mm(), 6, 1e-3);
+      EXPECT_GE(result.verdicts[move].overcut->upper_mm, 6);
+      EXPECT_LE(result.verdicts[move].overcut->upper_mm, 6.061);
     }
   }
 }
@@ -98,7 +98,7 @@ TEST(Overcut, PlanesOfATurningToolHoldAllOfItThatComesIntoTheCell) {
 TEST(Overcut, OfARibCutThroughIsHalfItsThickness) {
   const IndexedMesh rib = shapes::box(Vec3(-1, -50, -20), Vec3(1, 50, 0));
   const CheckResult result = check({paths::upright(-30, 0, -10), paths::upright(30, 0, -10)}, tools::flat(10), rib);
-  EXPECT_NEAR(*result.verdicts[1].overcut_mm, 1, 1e-2);
+  EXPECT_NEAR(result.verdicts[1].overcut_mm(), 1, 1e-2);
 }
 
 TEST(Overcut, OfEveryMoveOfALongFindingIsFound) {
@@ -110,7 +110,7 @@ TEST(Overcut, OfEveryMoveOfALongFindingIsFound) {
   const CheckResult result = check(poses, tool, kBlock);
   for (std::size_t i = 1; i < result.verdicts.size(); ++i) {
     ASSERT_EQ(result.verdicts[i].state, MoveState::gouge) << i;
-    EXPECT_NEAR(result.verdicts[i].overcut_mm.value_or(0), 2, 0.02) << i;
+    EXPECT_NEAR(result.verdicts[i].overcut_mm(), 2, 0.02) << i;
   }
 }
 
@@ -127,10 +127,10 @@ TEST(Overcut, IsClosedToItsGapInEveryMove) {
   std::size_t gouges = 0;
   for (std::size_t i = 1; i < result.verdicts.size(); ++i) {
     const MoveVerdict& v = result.verdicts[i];
-    if (!v.overcut_mm) continue;
+    if (!v.overcut) continue;
     ++gouges;
-    EXPECT_GE(v.overcut_upper_mm, *v.overcut_mm) << i;
-    EXPECT_LE(v.overcut_upper_mm - *v.overcut_mm, overcut_gap_mm(*v.overcut_mm) + 1e-9) << i;
+    EXPECT_GE(v.overcut->upper_mm, v.overcut->lower_mm) << i;
+    EXPECT_LE(v.overcut->upper_mm - v.overcut->lower_mm, overcut_gap_mm(v.overcut->lower_mm) + 1e-9) << i;
   }
   EXPECT_GT(gouges, 10U);
 }
@@ -144,8 +144,8 @@ TEST(Overcut, OfASharpCornerIsMoreThanItsDepth) {
   const CheckResult result = check({{tip + Vec3(0, 0, 20), axis}, {tip, axis}}, tools::flat(10), kBlock);
   ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
   EXPECT_NEAR(result.verdicts[1].depth_mm, lean, 0.02);
-  EXPECT_NEAR(*result.verdicts[1].overcut_mm, 1, 0.01);
-  EXPECT_GE(result.verdicts[1].overcut_upper_mm, 1 - 1e-9);
+  EXPECT_NEAR(result.verdicts[1].overcut_mm(), 1, 0.01);
+  EXPECT_GE(result.verdicts[1].overcut->upper_mm, 1 - 1e-9);
 }
 
 TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
@@ -160,8 +160,8 @@ TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
   const CheckResult result = whole_check(path, &tool, scene, options, heads);
   ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
   EXPECT_NEAR(result.verdicts[1].depth_mm, 3, 2e-3);
-  ASSERT_TRUE(result.verdicts[1].overcut_mm.has_value());
-  EXPECT_NEAR(*result.verdicts[1].overcut_mm, 15, 0.01);
+  ASSERT_TRUE(result.verdicts[1].overcut.has_value());
+  EXPECT_NEAR(result.verdicts[1].overcut_mm(), 15, 0.01);
   EXPECT_NEAR(result.worst_overcut_mm, 15, 0.01);
 }
 
@@ -169,7 +169,7 @@ TEST(Overcut, IsNotReportedForAnOpenSurface) {
   const IndexedMesh sheet = shapes::moved(shapes::sheet(100, 100, 0), Vec3(-50, -50, 0));
   const CheckResult result = check({paths::upright(0, 0, 10), paths::upright(0, 0, -2)}, tools::ball(10), sheet);
   ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
-  EXPECT_FALSE(result.verdicts[1].overcut_mm.has_value());
+  EXPECT_FALSE(result.verdicts[1].overcut.has_value());
 }
 
 TEST(Overcut, IsBracketedByASampledReference) {

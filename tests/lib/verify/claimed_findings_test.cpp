@@ -91,7 +91,7 @@ std::pair<MoveVerdict, ListedMove> random_verdict(std::size_t move, test::Scatte
   verdict.state = kStates.at(state);
   verdict.reason = {Reason::Kind::of_path, static_cast<Body>(draw.below(2)), 0,
                     std::string(kReasons.at(draw.below(2)))};
-  listed.reason = verdict.reason.detail_text() == "a" ? kReasons[0] : kReasons[1];
+  listed.reason = verdict.reason.detail() == "a" ? kReasons[0] : kReasons[1];
   if (verdict.state == MoveState::buried) {  // its reason names the body, so equal reasons have equal bodies
     verdict.reason.body = listed.reason == "a" ? Body::cutter : Body::shank;
     listed.body = verdict.reason.body;

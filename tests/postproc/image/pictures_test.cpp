@@ -275,7 +275,7 @@ TEST(Pictures, CutNoNumberShort) {
   SmallScene small;
   small.path.unit = LengthUnit::inch;
   for (MoveVerdict& v : small.result.verdicts)
-    if (v.state == MoveState::gouge) v.overcut_mm = 25.4 * 12193;
+    if (v.state == MoveState::gouge) v.overcut = OvercutBounds{25.4 * 12193, 25.4 * 12193};
   small.path.moves.at(small.result.events.at(0).worst_move).line = 123456789;
   const SmallPages pages(small);
   const Page heat = draw_heat_map(pages.set), strip = draw_depth_strip(pages.set);

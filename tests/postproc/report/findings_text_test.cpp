@@ -266,8 +266,7 @@ TEST(FindingsText, SaysWhichDepthsAreKnownLessCloselyThanAsked) {
 TEST(FindingsText, SaysWhichOvercutsAreLowerBounds) {
   SmallReport report;
   const auto set = [&](std::size_t move, double overcut, double upper) {
-    report.result.verdicts[move].overcut_mm = overcut;
-    report.result.verdicts[move].overcut_upper_mm = upper;
+    report.result.verdicts[move].overcut = OvercutBounds{overcut, upper};
     report.result.worst_overcut_mm = std::max(report.result.worst_overcut_mm, overcut);
   };
   set(1, 7.5, 9.5);
