@@ -25,6 +25,15 @@ TEST(BlankInNumber, IsFoundWhateverTheBlankIs) {
   EXPECT_TRUE(has_blank("/\t1.5, 2 .5, 3")) << "a blank beside a tab elsewhere";
   EXPECT_FALSE(has_blank("/ 1.5 , 2.5 , 3 "));
   EXPECT_FALSE(has_blank(""));
+  EXPECT_FALSE(
+      has_blank("/1,\x01"
+                "2,3"))
+      << "a control character that is no blank";
+  for (std::size_t before = 0; before < 70; ++before) {
+    const std::string text = "/" + std::string(before, '7');
+    EXPECT_TRUE(has_blank(text + "1 2, 3, 4")) << before;
+    EXPECT_FALSE(has_blank(text + "1, 2, 3, 4")) << before;
+  }
 }
 
 }  // namespace
