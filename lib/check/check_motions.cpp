@@ -77,12 +77,20 @@ struct Swept {
 class MoveChecker {
  public:
   MoveChecker(const Motion& motion, MoveKind kind, const ToolVariants& tool, const PreparedScene& scene,
-              const CheckOptions& options, std::span<const StrictLimit> limits, const Swept& swept)
-      : motion_(motion), kind_(kind), tool_(tool), scene_(scene), options_(options), limits_(limits), swept_(swept) {}
+              const CheckOptions& options, const Targets& whole, std::span<const StrictLimit> limits,
+              const Swept& swept)
+      : motion_(motion),
+        kind_(kind),
+        tool_(tool),
+        scene_(scene),
+        options_(options),
+        whole_(whole),
+        limits_(limits),
+        swept_(swept) {}
 
   MoveVerdict run() {
-    const SearchResult depth = finish(whole(), 0, options_.tolerance_mm, swept_.depth);
-    set_depth(depth, whole());
+    const SearchResult depth = finish(whole_, 0, options_.tolerance_mm, swept_.depth);
+    set_depth(depth, whole_);
     // The witness decides, computed as any reader of the file would: the search may differ from it in the last digits.
     const bool is_deep = verdict_.depth_mm > options_.tolerance_mm;
     if (!is_deep && verdict_.depth_upper_mm > options_.tolerance_mm + options_.resolution_mm) is_decided_ = false;
@@ -101,8 +109,6 @@ class MoveChecker {
   [[nodiscard]] std::uint64_t bounds() const { return bounds_; }
 
  private:
-  [[nodiscard]] Targets whole() const { return whole_tool(tool_, scene_); }
-
   SearchResult finish(const Targets& targets, double reach, double tolerance, const SweptMove* swept) {
     if (swept == nullptr) return ask(targets, reach, tolerance);
     const SearchResult outcome = search_move(motion_, targets, query(options_, reach, tolerance), swept->start);
@@ -183,8 +189,8 @@ class MoveChecker {
       return;
     }
     const bool is_closed = depth.value_upper_mm - depth.value_mm <= options_.resolution_mm;
-    const SearchResult closed = is_closed ? depth : ask(whole(), 0, 0);
-    set_depth(closed, whole());
+    const SearchResult closed = is_closed ? depth : ask(whole_, 0, 0);
+    set_depth(closed, whole_);
     verdict_.state = MoveState::gouge;
     show_limit(limit, entered);
   }
@@ -220,7 +226,7 @@ class MoveChecker {
     // If no depth is certain, the surface must be proved to keep clear of the tool.
     if (!(sure.depth_mm > 0))
       less = {{0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget}, options_.resolution_mm};
-    const SearchResult outcome = sweep_and_search(motion_, whole(), less);
+    const SearchResult outcome = sweep_and_search(motion_, whole_, less);
     bounds_ += outcome.bounds;
     const double upper = std::max(0.0, outcome.value_upper_mm - less.reach_mm);
     if (outcome.value_mm <= less.tolerance_mm && outcome.is_decided) {
@@ -255,7 +261,7 @@ class MoveChecker {
     if (verdict_.witness) return;
     const ToolPoint position = locate(outcome);
     // The surface may be in the tool, but no deeper than the tolerance: there the check for gouges stopped.
-    const SearchTarget all = whole()[outcome.at.target];
+    const SearchTarget all = whole_[outcome.at.target];
     const ToolDistance in_all = evaluate(*all.tool, position.r, position.z);
     const SearchTarget& target = in_all.signed_distance_mm < 0 ? all : watched[outcome.at.target];
     verdict_.witness = witness(outcome, target, position, evaluate(*target.tool, position.r, position.z));
@@ -268,6 +274,7 @@ class MoveChecker {
   const ToolVariants& tool_;
   const PreparedScene& scene_;
   const CheckOptions& options_;
+  const Targets& whole_;
   std::span<const StrictLimit> limits_;
   Swept swept_;
   MoveVerdict verdict_;
@@ -319,11 +326,12 @@ void check_motions(std::span<const Motion> motions, std::span<const MoveKind> ki
                        std::all_of(motions.begin(), motions.end(),
                                    [](const Motion& motion) { return why_unfit(motion) == Reason::Kind::none; });
   if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);
+  const Targets whole = whole_tool(tool, scene);
   const std::vector<StrictLimit> limits = strict_limits(tool, scene, options);
   std::vector<std::vector<SweptMove>> beyond;  // one for each limit
   std::vector<SweptMove> near_feed, near_rapid;
   const SearchQuery deep = query(options, 0, options.tolerance_mm);
-  const std::vector<SweptMove> depth = sweep_moves(motions, whole_tool(tool, scene), deep);
+  const std::vector<SweptMove> depth = sweep_moves(motions, whole, deep);
   // If all motions gouge, no further result is needed.
   const bool is_verdict_final =
       std::ranges::all_of(depth, [&](const SweptMove& swept) { return deep.is_met_by(swept.start.value_mm); });
@@ -342,7 +350,7 @@ void check_motions(std::span<const Motion> motions, std::span<const MoveKind> ki
     for (const std::vector<SweptMove>& of_limit : beyond) swept.limits.push_back(&of_limit[m]);
     if (const std::vector<SweptMove>& near = kinds[m] == MoveKind::rapid ? near_rapid : near_feed; !near.empty())
       swept.near_miss = &near[m];
-    MoveChecker checker(motions[m], kinds[m], tool, scene, options, limits, swept);
+    MoveChecker checker(motions[m], kinds[m], tool, scene, options, whole, limits, swept);
     verdicts[m] = checker.run();
     bounds[m] += checker.bounds();
   }
