@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -58,7 +59,7 @@ class BuriedMarker {
   void mark() {
     find_regions();
     FreeChains chains(scene_.sides(), first_.back());
-    for (std::size_t i = 0; i < verdicts_.size(); ++i) join(i, chains);
+    for (std::size_t i = 0; i < verdicts_.size(); ++i) add(i, chains);
     chains.decide(options_.threads, [this](std::size_t item) { return points_of(item); });
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
       const MoveState state = verdicts_[i].state;
@@ -88,30 +89,38 @@ class BuriedMarker {
         }
         regions_[i] = &own->at(verdicts_[i].depth_upper_mm);
       }
-      first_[i + 1] = first_[i] + (regions_[i] != nullptr ? regions_[i]->regions.size() : 0);
+      first_[i + 1] = first_[i];
+      if (regions_[i] != nullptr) first_[i + 1] += static_cast<std::uint32_t>(regions_[i]->regions.size());
     }
   }
 
-  // The final pose of a move is the first pose of the next move.
-  void join(std::size_t i, FreeChains& chains) const {
+  void add(std::size_t i, FreeChains& chains) const {
     if (regions_[i] == nullptr) return;
-    const std::vector<FreeRegion>& own = regions_[i]->regions;
     const Move& move = toolpath_.moves[i];
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      for (const Vec3& point : points_at(move.end, own[k])) chains.add(first_[i] + k, point);
-    }
-    if (!move.has_start || i == 0) return;
-    // The same regions were added at this pose by the previous move, and are joined below.
-    const bool is_known = regions_[i - 1] == regions_[i];
-    for (std::size_t k = 0; k < own.size() && !is_known; ++k) {
-      for (const Vec3& point : points_at(toolpath_.start_of(i), own[k])) chains.add(first_[i] + k, point);
-    }
-    if (regions_[i - 1] == nullptr || toolpath_.moves[i - 1].tool != move.tool) return;
-    const std::vector<FreeRegion>& before = regions_[i - 1]->regions;
+    const bool has_start = move.has_start && i > 0;
+    if (has_start) join_with_previous(i, chains);
+    // The previous move added the same regions at its end, which is the start of this one.
+    const bool is_start_new = has_start && regions_[i - 1] != regions_[i];
+    add_points(i, move.end, chains);
+    if (is_start_new) add_points(i, toolpath_.start_of(i), chains);
+  }
+
+  // The final pose of a move is the first pose of the next move.
+  void join_with_previous(std::size_t i, FreeChains& chains) const {
+    if (regions_[i - 1] == nullptr || toolpath_.moves[i - 1].tool != toolpath_.moves[i].tool) return;
+    const std::vector<FreeRegion>&own = regions_[i]->regions, &before = regions_[i - 1]->regions;
     for (std::size_t k = 0; k < own.size(); ++k) {
       for (std::size_t l = 0; l < before.size(); ++l) {
         if (own[k].meets(before[l])) chains.join(first_[i] + k, first_[i - 1] + l);
       }
+    }
+  }
+
+  void add_points(std::size_t i, const Pose& pose, FreeChains& chains) const {
+    const std::vector<FreeRegion>& own = regions_[i]->regions;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (chains.is_settled(first_[i] + k)) continue;
+      for (const Vec3& point : points_at(pose, own[k])) chains.add(first_[i] + k, point);
     }
   }
 
@@ -188,7 +197,7 @@ class BuriedMarker {
   MoveVerdicts& verdicts_;
   std::vector<std::unique_ptr<ToolRegions>> own_regions_;
   PagedVector<const FreeRegions*> regions_;  // for each move; null without a proof
-  PagedVector<std::size_t> first_;           // for each move: the number of its first region
+  PagedVector<std::uint32_t> first_;         // for each move: the number of its first region
 };
 
 }  // namespace

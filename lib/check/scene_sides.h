@@ -44,7 +44,13 @@ class FreeChains {
  public:
   FreeChains(const SceneSides& sides, std::size_t count) : sides_(sides), joins_(count), beyond_(count, 0) {}
 
-  void join(std::size_t a, std::size_t b) { joins_.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)); }
+  /// Joins two items. The facts known about `b` hold for `a` too.
+  void join(std::size_t a, std::size_t b) {
+    joins_.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+    beyond_[a] |= beyond_[b];
+  }
+  /// Returns whether the item is known to be beyond all obstacles, so that more points tell nothing.
+  [[nodiscard]] bool is_settled(std::size_t item) const { return beyond_[item] == sides_.beyond_all(); }
   /// Adds `point`, which `item` keeps free of surfaces.
   void add(std::size_t item, const Vec3& point) { beyond_[item] |= sides_.beyond(point); }
 
