@@ -105,6 +105,7 @@ class FitFinder {
   };
 
   void gather() {
+    cuts_.reserve(path_.moves.size());
     std::vector<std::size_t> hidden;  // moves whose verdict does not state how deep the cutter is in the part
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
@@ -296,7 +297,7 @@ class FitFinder {
   const PreparedScene& scene_;
   unsigned threads_;
   PathFit fit_;
-  PagedVector<std::size_t> cuts_;
+  PagedVector<SmallIndex> cuts_;
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> operations_;  // number of cuts, and number of cuts that
                                                                            // are too deep
   std::vector<Sample> samples_;
