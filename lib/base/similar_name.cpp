@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
+#include <tuple>
 
 #include "lib/base/letters.h"
 
@@ -29,6 +31,36 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
     }
   }
   return edits[a.size()][b.size()];
+}
+
+struct Likeness {
+  std::size_t edits = 0, common_beginning = 0, common_letters = 0;
+
+  [[nodiscard]] bool is_nearer_than(const Likeness& other) const {
+    return std::tuple(edits, other.common_beginning, other.common_letters) <
+           std::tuple(other.edits, common_beginning, common_letters);
+  }
+};
+
+Likeness likeness_of(std::string_view word, std::string_view name) {
+  Likeness likeness{edits_between(word, name)};
+  likeness.common_beginning = static_cast<std::size_t>(std::ranges::mismatch(word, name).in1 - word.begin());
+  std::string a(word), b(name), common;
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  std::ranges::set_intersection(a, b, std::back_inserter(common));
+  likeness.common_letters = common.size();
+  return likeness;
+}
+
+/// Returns the only name that begins with `word`; empty if there is no such name, or more than one. A file with a further
+/// ending, such as part.stl.bak, is another file.
+std::string find_only_begun(std::string_view word, const std::vector<std::string>& names) {
+  const auto is_begun = [&](const std::string& name) {
+    return name.starts_with(word) && name.size() > word.size() && name[word.size()] != '.';
+  };
+  const auto first = std::ranges::find_if(names, is_begun);
+  return first != names.end() && std::none_of(first + 1, names.end(), is_begun) ? *first : std::string();
 }
 
 /// Names of the files in `folder`, sorted. Empty if it cannot be read.
@@ -62,17 +94,19 @@ std::string find_similar_file(const std::string& name, const std::vector<std::st
 std::string find_similar_name(std::string_view word, const std::vector<std::string>& names) {
   constexpr std::size_t kShortest = 3, kLong = 8;
   if (word.size() < kShortest) return {};
-  std::string nearest;
-  std::size_t least = word.size() > kLong ? 4 : 3;
+  if (std::string begun = find_only_begun(word, names); !begun.empty()) return begun;
+  const std::size_t limit = word.size() > kLong ? 4 : 3;
+  const std::string* nearest = nullptr;
+  Likeness best;
   for (const std::string& name : names) {
     const std::size_t longer = std::max(name.size(), word.size()), shorter = std::min(name.size(), word.size());
-    if (longer - shorter >= least) continue;
-    const std::size_t edits = edits_between(word, name);
-    if (edits >= least) continue;
-    least = edits;
-    nearest = name;
+    if (longer - shorter >= limit) continue;
+    const Likeness found = likeness_of(word, name);
+    if (found.edits >= limit || (nearest != nullptr && !found.is_nearer_than(best))) continue;
+    best = found;
+    nearest = &name;
   }
-  return nearest;
+  return nearest == nullptr ? std::string() : *nearest;
 }
 
 Diagnostic describe_missing_file(const std::string& path) {

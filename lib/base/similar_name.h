@@ -8,9 +8,10 @@
 
 namespace gouge {
 
-/// Returns the one of `names` that differs least from `word` by letters that are missing, added, wrong or swapped. Of
-/// equals it is the first. Empty where more than two letters differ, or three of a word of more than eight. Cost: the
-/// product of the lengths, for each name.
+/// Returns the name that begins with `word`, if one alone does and more than a file ending follows. Else it is the one that
+/// differs least by letters that are missing, added, wrong or swapped. Of equals it is that with the longest common
+/// beginning, then with the most common letters, then the first. Empty where more than two letters differ, or three of a
+/// word of more than eight. Cost: the product of the lengths, for each name.
 [[nodiscard]] std::string find_similar_name(std::string_view word, const std::vector<std::string>& names);
 
 /// Returns the error file-not-found of `path`. It names the target of a broken link, the folder that does not exist

@@ -17,6 +17,20 @@ TEST(SimilarName, IsTheNearestByLetters) {
   EXPECT_EQ(find_similar_name("contour.apt", names), "");
 }
 
+TEST(SimilarName, OfEqualsHasTheLongerCommonBeginning) {
+  EXPECT_EQ(find_similar_name("barell", {"flat", "ball", "barrel"}), "barrel");
+  EXPECT_EQ(find_similar_name("barell", {"barrel", "ball"}), "barrel");
+  EXPECT_EQ(find_similar_name("abcd", {"abxx", "abdx", "abxy"}), "abdx") << "the same letters decide then";
+  EXPECT_EQ(find_similar_name("cat", {"bat", "hat"}), "bat") << "the first of equals";
+}
+
+TEST(SimilarName, IsTheOnlyOneThatTheWordBegins) {
+  EXPECT_EQ(find_similar_name("bull", {"flat", "ball", "bull_nose"}), "bull_nose");
+  EXPECT_EQ(find_similar_name("bull", {"ball", "bull_nose", "bull_end"}), "ball") << "two begin with it";
+  EXPECT_EQ(find_similar_name("tool.json", {"tool.json.orig", "tools.json"}), "tools.json");
+  EXPECT_EQ(find_similar_name("bu", {"bull_nose"}), "");
+}
+
 struct MissingFile : testing::Test {
   testing_support::TemporaryFolder temporary;
   std::filesystem::path folder = temporary.path();
