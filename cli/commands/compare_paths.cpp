@@ -1,6 +1,5 @@
 #include "cli/commands/compare_paths.h"
 
-#include <algorithm>
 #include <ostream>
 
 #include "cli/output/output_file.h"
@@ -10,9 +9,24 @@
 namespace gouge {
 namespace {
 
-std::size_t count_unchecked(const Toolpath& path) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(path.moves, [](const Move& move) { return !move.not_checked_reason.empty(); }));
+/// Returns an error for each path that holds no feed to compare, with the reason of the first move that is not checked.
+Diagnostics find_nothing_to_compare(const std::vector<Toolpath>& paths) {
+  Diagnostics errors;
+  for (const Toolpath& path : paths) {
+    const MovesLeftOut out = count_left_out(path);
+    if (out.feeds > 0) continue;
+    const std::size_t first = out.first_unchecked_feed != kNone ? out.first_unchecked_feed : out.first_unchecked;
+    Diagnostic error =
+        make_error("path-no-motion", "holds no feed that is checked, so nothing can be compared", path.file);
+    if (first == kNone) {
+      error.message += ": all its moves are rapids";
+    } else {
+      error.message += "; the first reason: " + std::string(path.moves[first].not_checked_reason);
+      error.line = path.moves[first].line;
+    }
+    errors.push_back(std::move(error));
+  }
+  return errors;
 }
 
 }  // namespace
@@ -32,13 +46,17 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
     print(err, outcome.toolpath->notes);
     paths.push_back(std::move(*outcome.toolpath));
   }
-  const auto forward = measure_difference(paths[0], paths[1], PathComparison::kHeight_mm),
-             backward = measure_difference(paths[1], paths[0], PathComparison::kHeight_mm);
-  if (!forward || !backward)
-    return fail(err, {make_error("path-no-motion", "holds no feed that is checked, so nothing can be compared",
-                                 paths[forward ? 1 : 0].file)});
-  PathComparison comparison{
-      &paths[0], &paths[1], *forward, *backward, count_unchecked(paths[0]) + count_unchecked(paths[1]), same_within_mm};
+  if (const Diagnostics errors = find_nothing_to_compare(paths); !errors.empty()) return fail(err, errors);
+  const auto measure = [&](const Toolpath& path, const Toolpath& other) {
+    return measure_difference(path, other, PathComparison::kHeight_mm, same_within_mm).value_or(PathDifference{});
+  };
+  PathComparison comparison{&paths[0],
+                            &paths[1],
+                            measure(paths[0], paths[1]),
+                            measure(paths[1], paths[0]),
+                            count_left_out(paths[0]),
+                            count_left_out(paths[1]),
+                            same_within_mm};
   if (comparison.tip_mm() > same_within_mm) comparison.relation = find_relation(paths[0], paths[1], same_within_mm);
   if (!arguments.json_file.empty()) {
     if (const Outcome written = write_output(arguments.json_file, comparison_json(comparison), out); !written)

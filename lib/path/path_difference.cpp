@@ -7,75 +7,23 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
+#include "lib/path/motion_chords.h"
 #include "lib/path/path_info.h"
+#include "lib/path/rapid_places.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kChord_mm = 1e-4;  // of arcs and splines
 // A motion this near among those that follow the last one ends the search; one at the same point ends it at once.
 constexpr double kAlike_mm = 1e-3;
 constexpr std::size_t kAhead = 200;  // motions after the last one in which the next is looked for first
 
-/// A straight feed, or a chord of one.
-struct FeedChord {
-  Pose from, to;
-  std::size_t move = 0;
-};
-
-// Rapids may be of a cycle.
-bool is_compared(const Move& move) {
-  return move.kind != MoveKind::rapid && move.feed_unit != FeedUnit::rapid && move.not_checked_reason.empty();
-}
-
-std::vector<FeedChord> feeds_of(const Toolpath& path) {
-  std::vector<FeedChord> feeds;
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    const Move& move = path.moves[i];
-    if (!is_compared(move)) continue;
-    Pose from = move.has_start ? path.start_of(i) : move.end;
-    if (move.has_start && move.curve_kind != CurveKind::none) {
-      for (const Pose& to : chords_of(path, i, kChord_mm)) {
-        feeds.push_back({from, to, i});
-        from = to;
-      }
-    } else {
-      feeds.push_back({from, move.end, i});
-    }
-  }
-  return feeds;
-}
-
-/// Distances of a pose from the nearest point of a feed.
-struct Distance {
-  double tip_mm = std::numeric_limits<double>::infinity(), axis_rad = 0;
-  [[nodiscard]] double sum(double height_mm) const { return tip_mm + height_mm * axis_rad; }
-};
-
-// The axis is that of the great circle at the nearest tip; where the tip rests, that which is nearer of both ends.
-Distance distance_from(const Pose& pose, const FeedChord& feed) {
-  const Vec3 way = feed.to.tip - feed.from.tip;
-  const double squared = way.squaredNorm();
-  const auto at = [&](double t) {
-    return Distance{(feed.from.tip + t * way - pose.tip).norm(),
-                    angle_between_rad(axis_between(feed.from.axis, feed.to.axis, t), pose.axis)};
-  };
-  if (squared > 0) return at(std::clamp((pose.tip - feed.from.tip).dot(way) / squared, 0.0, 1.0));
-  const Distance first = at(0), last = at(1);
-  return first.axis_rad < last.axis_rad ? first : last;
-}
-
-/// Lower bound of the distance without an angle.
-double tip_bound_mm(const Pose& pose, const FeedChord& feed) {
-  return (pose.tip - feed.to.tip).norm() - (feed.to.tip - feed.from.tip).norm();
-}
-
 class Nearest {
  public:
-  Nearest(const std::vector<FeedChord>& feeds, double height_mm) : feeds_(feeds), height_mm_(height_mm) {}
+  Nearest(const std::vector<MotionChord>& feeds, double height_mm) : feeds_(feeds), height_mm_(height_mm) {}
 
   /// Returns the distance of the tip from the nearest feed, and the smallest angle at a feed as near, which `last` becomes.
-  Distance find(const Pose& pose) {
+  PoseDistance find(const Pose& pose) {
     best_ = {};
     nearest_mm_ = std::numeric_limits<double>::infinity();
     const std::size_t ahead = std::min(feeds_.size(), last_ + kAhead);
@@ -104,7 +52,7 @@ class Nearest {
   bool look_at(const Pose& pose, std::size_t begin, std::size_t end, double enough_mm) {
     for (std::size_t i = begin; i < end; ++i) {
       if (tip_bound_mm(pose, feeds_[i]) > nearest_mm_ + kAlike_mm) continue;
-      const Distance found = distance_from(pose, feeds_[i]);
+      const PoseDistance found = distance_from(pose, feeds_[i]);
       if (found.tip_mm > nearest_mm_ + kAlike_mm) continue;
       nearest_mm_ = std::min(nearest_mm_, found.tip_mm);
       const bool is_best_near = best_.tip_mm <= nearest_mm_ + kAlike_mm;
@@ -116,9 +64,9 @@ class Nearest {
     return false;
   }
 
-  const std::vector<FeedChord>& feeds_;
+  const std::vector<MotionChord>& feeds_;
   double height_mm_;
-  Distance best_;          // as near as nearest_mm_ within kAlike_mm
+  PoseDistance best_;      // as near as nearest_mm_ within kAlike_mm
   double nearest_mm_ = 0;  // distance of the nearest tip
   std::size_t last_ = 0, begin_ = 0;
 };
@@ -140,38 +88,143 @@ bool has_other_feed(const Move& move, const Move& other) {
   return std::abs(one.mm - two.mm) > PathDifference::kSameFeed * std::max(one.mm, two.mm);
 }
 
+/// Measures the feeds of a path in their order.
+class Measurement {
+ public:
+  Measurement(const Toolpath& path, const Toolpath& other, const std::vector<MotionChord>& feeds, double height_mm,
+              double within_mm)
+      : path_(path),
+        other_(other),
+        nearest_(feeds, height_mm),
+        nearest_to_middle_(feeds, height_mm),
+        rapids_(other, within_mm, height_mm),
+        height_mm_(height_mm),
+        within_mm_(within_mm) {}
+
+  void add(std::size_t move) {
+    ++result_.positions;
+    PoseDistance found = nearest_.find(path_.moves[move].end);
+    std::size_t at = nearest_.move();
+    if (const std::size_t rapid = find_rapid(move, found); rapid != kNone) {
+      if (path_.moves[move].has_start) add_rapid(move, rapid);  // else no motion to the position is known
+      if (!found.is_within(within_mm_, height_mm_)) {
+        found = distance_from(path_.moves[move].end, {start_of(other_, rapid), other_.moves[rapid].end, rapid});
+        at = rapid;
+      }
+    }
+    add_distance(move, found, at);
+    if (at == nearest_.move()) add_feed_rate(move);
+  }
+  [[nodiscard]] const PathDifference& result() const { return result_; }
+
+ private:
+  static Pose start_of(const Toolpath& path, std::size_t move) {
+    return path.moves[move].has_start ? path.start_of(move) : path.moves[move].end;
+  }
+
+  /// Returns the rapid of the other path that this feed became, else kNone.
+  std::size_t find_rapid(std::size_t move, const PoseDistance& found) {
+    const Pose& end = path_.moves[move].end;
+    const std::optional<Pose> middle = middle_of(move);
+    if (found.is_within(within_mm_, height_mm_)) {
+      const std::size_t rapid = middle ? rapids_.ending_at(end, *middle) : kNone;
+      if (rapid == kNone || nearest_to_middle_.find(*middle).is_within(within_mm_, height_mm_)) return kNone;
+      return rapid;
+    }
+    const std::size_t rapid = rapids_.ending_at(end);
+    return rapid == kNone && middle ? rapids_.passing(*middle, end) : rapid;
+  }
+
+  /// None: the motion is not straight, or not known.
+  [[nodiscard]] std::optional<Pose> middle_of(std::size_t move) const {
+    const Move& of = path_.moves[move];
+    if (!of.has_start || of.curve_kind != CurveKind::none) return std::nullopt;
+    const Pose& start = path_.start_of(move);
+    return Pose{0.5 * (start.tip + of.end.tip), axis_between(start.axis, of.end.axis, 0.5)};
+  }
+
+  void add_rapid(std::size_t move, std::size_t rapid) {
+    const bool is_retract = leaves_along_axis(move);
+    const bool is_first_cut = !is_retract && result_.rapids == result_.retracts;
+    if (is_retract) ++result_.retracts;
+    if (result_.rapids++ > 0 && !is_first_cut) return;
+    result_.rapid_move = move;
+    result_.rapid_other = rapid;
+  }
+
+  [[nodiscard]] bool leaves_along_axis(std::size_t move) const {
+    const Pose start = start_of(path_, move), &end = path_.moves[move].end;
+    const Vec3 way = end.tip - start.tip;
+    return way.dot(start.axis) > 0 && way.cross(start.axis).norm() <= std::max(within_mm_, kAlike_mm) &&
+           height_mm_ * angle_between_rad(start.axis, end.axis) <= std::max(within_mm_, kAlike_mm);
+  }
+
+  void add_distance(std::size_t move, const PoseDistance& found, std::size_t at) {
+    if (result_.tip_move == kNone || found.tip_mm > result_.tip_mm) {
+      result_.tip_mm = found.tip_mm;
+      result_.tip_move = move;
+      result_.tip_other = at;
+    }
+    if (result_.axis_move == kNone || found.axis_rad > result_.axis_rad) {
+      result_.axis_rad = found.axis_rad;
+      result_.axis_move = move;
+      result_.axis_other = at;
+    }
+  }
+
+  void add_feed_rate(std::size_t move) {
+    const std::size_t nearest = nearest_.move();
+    if (has_unknown_feed(path_.moves[move], other_.moves[nearest]) && result_.unknown_feeds++ == 0) {
+      result_.unknown_move = move;
+      result_.unknown_other = nearest;
+    }
+    const auto is_same_feed = [&](std::size_t other) {
+      return !has_other_feed(path_.moves[move], other_.moves[other]);
+    };
+    if (is_same_feed(nearest) || nearest_.has_alike(path_.moves[move].end, is_same_feed)) return;
+    if (result_.other_feeds++ > 0) return;
+    result_.feed_move = move;
+    result_.feed_other = nearest;
+  }
+
+  const Toolpath &path_, &other_;
+  Nearest nearest_, nearest_to_middle_;
+  RapidPlaces rapids_;
+  double height_mm_, within_mm_;
+  PathDifference result_;
+};
+
 }  // namespace
 
-std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other, double height_mm) {
-  const std::vector<FeedChord> feeds = feeds_of(other);
-  if (feeds.empty()) return std::nullopt;
-  Nearest nearest(feeds, height_mm);
-  PathDifference difference;
+MovesLeftOut count_left_out(const Toolpath& path) {
+  MovesLeftOut counts;
+  const auto count = [](std::size_t& number, std::size_t& first, std::size_t move) {
+    if (number++ == 0) first = move;
+  };
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if (!is_compared(path.moves[i])) continue;
-    const Distance found = nearest.find(path.moves[i].end);
-    ++difference.positions;
-    if (difference.tip_move == kNone || found.tip_mm > difference.tip_mm) {
-      difference.tip_mm = found.tip_mm;
-      difference.tip_move = i;
-      difference.tip_other = nearest.move();
+    const Move& move = path.moves[i];
+    if (move.not_checked_reason.empty()) {
+      if (is_rapid(move)) {
+        count(counts.rapids, counts.first_rapid, i);
+      } else {
+        ++counts.feeds;
+      }
+      continue;
     }
-    if (difference.axis_move == kNone || found.axis_rad > difference.axis_rad) {
-      difference.axis_rad = found.axis_rad;
-      difference.axis_move = i;
-      difference.axis_other = nearest.move();
-    }
-    if (has_unknown_feed(path.moves[i], other.moves[nearest.move()]) && difference.unknown_feeds++ == 0) {
-      difference.unknown_move = i;
-      difference.unknown_other = nearest.move();
-    }
-    const auto is_same_feed = [&](std::size_t move) { return !has_other_feed(path.moves[i], other.moves[move]); };
-    if (is_same_feed(nearest.move()) || nearest.has_alike(path.moves[i].end, is_same_feed)) continue;
-    if (difference.other_feeds++ > 0) continue;
-    difference.feed_move = i;
-    difference.feed_other = nearest.move();
+    count(counts.unchecked, counts.first_unchecked, i);
+    if (!is_rapid(move) && counts.first_unchecked_feed == kNone) counts.first_unchecked_feed = i;
   }
-  return difference.positions > 0 ? std::optional(difference) : std::nullopt;
+  return counts;
+}
+
+std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other, double height_mm,
+                                                 double within_mm) {
+  const std::vector<MotionChord> feeds = chords_of_feeds(other);
+  if (feeds.empty()) return std::nullopt;
+  Measurement measurement(path, other, feeds, height_mm, within_mm);
+  for (std::size_t i = 0; i < path.moves.size(); ++i)
+    if (is_checked_feed(path.moves[i])) measurement.add(i);
+  return measurement.result().positions > 0 ? std::optional(measurement.result()) : std::nullopt;
 }
 
 namespace {
@@ -179,7 +232,7 @@ namespace {
 std::vector<Vec3> tips_of(const Toolpath& path) {
   std::vector<Vec3> tips;
   for (const Move& move : path.moves)
-    if (is_compared(move)) tips.push_back(move.end.tip);
+    if (is_checked_feed(move)) tips.push_back(move.end.tip);
   return tips;
 }
 
@@ -193,7 +246,7 @@ PathRelation inverse(const PathRelation& r) { return {1 / r.factor, -r.shift_mm 
 
 /// Returns whether every tip lies near a feed after a relation. A few tips that are spread over the path come first: a
 /// search of all feeds for every tip would be slow where the relation is wrong.
-bool lie_on(const std::vector<FeedChord>& feeds, const std::vector<Vec3>& tips, const PathRelation& relation,
+bool lie_on(const std::vector<MotionChord>& feeds, const std::vector<Vec3>& tips, const PathRelation& relation,
             double within_mm) {
   constexpr std::size_t kFew = 20;
   const auto lies_there = [&](Nearest& nearest, const Vec3& tip) {
@@ -214,7 +267,7 @@ std::optional<PathRelation> find_relation(const Toolpath& path, const Toolpath& 
   constexpr std::size_t kMinTips = 3;  // a shift relates any two paths of one tip
   const std::vector<Vec3> tips = tips_of(path), other_tips = tips_of(other);
   if (std::min(tips.size(), other_tips.size()) < kMinTips) return std::nullopt;
-  const std::vector<FeedChord> feeds = feeds_of(path), other_feeds = feeds_of(other);
+  const std::vector<MotionChord> feeds = chords_of_feeds(path), other_feeds = chords_of_feeds(other);
   const auto relates = [&](const PathRelation& relation) {
     return lie_on(other_feeds, tips, relation, within_mm) && lie_on(feeds, other_tips, inverse(relation), within_mm);
   };

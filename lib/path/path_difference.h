@@ -21,16 +21,32 @@ struct PathDifference {
   /// Positions at which the feed rates cannot be compared: one of both is not known, or their units differ.
   std::size_t unknown_feeds = 0;
   std::size_t unknown_move = kNone, unknown_other = kNone;  ///< the first of them, and the nearest motion
+  /// Feeds that are rapids in the other path, and those of them that leave along the tool axis.
+  std::size_t rapids = 0, retracts = 0;
+  std::size_t rapid_move = kNone, rapid_other = kNone;  ///< the first that is no retract, else the first; and the rapid
 
   static constexpr double kSameFeed = 0.001;  ///< share of a feed rate, for the rounding of programs
 };
 
+/// Moves of a path that a comparison leaves out.
+struct MovesLeftOut {
+  std::size_t feeds = 0;      ///< that are compared
+  std::size_t unchecked = 0;  ///< of any kind
+  std::size_t rapids = 0;     ///< that are checked
+  std::size_t first_unchecked = kNone, first_unchecked_feed = kNone, first_rapid = kNone;
+};
+
+[[nodiscard]] MovesLeftOut count_left_out(const Toolpath& path);
+
 /// Measures the end of each checked feed of `path` against the feeds of `other`, along their arcs and splines. The nearest
 /// motion is that whose tip is nearest. Among those as near within 0.001 mm it is that with the smallest angle, of which 1 rad
 /// counts as `height_mm`, and among equal ones the next after the one before. None: a path has no feed that is checked.
+/// A feed is a rapid in `other` in two cases, where distances up to `within_mm` count as none: (1) No feed passes its end,
+/// but a rapid ends there, or passes its middle and end. Its distance is then that from the rapid. (2) A rapid passes its
+/// middle and ends at its end, and no feed passes the middle.
 /// Cost     O(moves) for paths in the same order, at worst the product of both numbers of moves.
 [[nodiscard]] std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other,
-                                                               double height_mm);
+                                                               double height_mm, double within_mm);
 
 /// A path whose tips are those of another one, times `factor`, then shifted.
 struct PathRelation {

@@ -48,13 +48,51 @@ std::string unknown_feed_row(const PathDifference& of, const Toolpath& path, con
                                               rate(other, of.unknown_other));
 }
 
-std::string difference_text(const char* which, const PathDifference& of, const Toolpath& path, const Toolpath& other) {
-  return row(which, count_text(of.positions, "feed")) +
+/// The two paths in the text, the one that is measured first.
+struct Names {
+  const char *path, *other;
+};
+constexpr Names kForward{"OLD", "NEW"}, kBackward{"NEW", "OLD"};
+
+/// Names the feeds that are rapids in the other path, by the first of them.
+std::string rapid_row(const PathDifference& of, const Names& names, const Toolpath& path, const Toolpath& other) {
+  if (of.rapids == 0) return {};
+  const auto at_line = [](const Toolpath& in, std::size_t move) {
+    return " at line " + std::to_string(line_of(in, move));
+  };
+  std::string text = std::to_string(of.rapids) + ", first: a feed in " + names.path + at_line(path, of.rapid_move) +
+                     " is a rapid in " + names.other + at_line(other, of.rapid_other);
+  if (of.retracts > 0)
+    text += "; " +
+            (of.retracts == of.rapids ? std::string(of.rapids == 1 ? "it is a retract" : "all are retracts")
+                                      : count_text(of.retracts, "retract")) +
+            " along the tool axis";
+  return row(std::string("  feeds that are rapids in ") + names.other, text);
+}
+
+/// Names the moves of a path that are not compared, with the first of each kind.
+std::string left_out_rows(const MovesLeftOut& out, const Names& names, const Toolpath& path) {
+  const auto first = [&](std::size_t count, std::size_t move) {
+    return std::to_string(count) + ", first " + path.file + ":" + std::to_string(line_of(path, move));
+  };
+  std::string text;
+  if (out.unchecked > 0)
+    text += row(std::string("moves not checked in ") + names.path,
+                first(out.unchecked, out.first_unchecked) + ": " +
+                    std::string(path.moves[out.first_unchecked].not_checked_reason));
+  if (out.rapids > 0)
+    text +=
+        row(std::string("rapids in ") + names.path, first(out.rapids, out.first_rapid) + ": only feeds are compared");
+  return text;
+}
+
+std::string difference_text(const PathDifference& of, const Names& names, const Toolpath& path, const Toolpath& other) {
+  return row(std::string(names.path) + " against " + names.other, count_text(of.positions, "feed")) +
          row("  largest distance of a tip",
              display_text(of.tip_mm, kDecimals) + " mm" + places_text(path, of.tip_move, other, of.tip_other)) +
          row("  largest angle of an axis", display_text(of.axis_rad / kDegree_rad, kDecimals) + " deg" +
                                                places_text(path, of.axis_move, other, of.axis_other)) +
-         feed_row(of, path, other) + unknown_feed_row(of, path, other);
+         rapid_row(of, names, path, other) + feed_row(of, path, other) + unknown_feed_row(of, path, other);
 }
 
 Json difference_json(const PathDifference& of, const Toolpath& path, const Toolpath& other) {
@@ -67,11 +105,24 @@ Json difference_json(const PathDifference& of, const Toolpath& path, const Toolp
   if (of.other_feeds > 0) feeds = lines(std::move(feeds), of.feed_move, of.feed_other);
   Json unknown = {{"count", of.unknown_feeds}};
   if (of.unknown_feeds > 0) unknown = lines(std::move(unknown), of.unknown_move, of.unknown_other);
+  Json rapids = {{"count", of.rapids}, {"retracts", of.retracts}};
+  if (of.rapids > 0) rapids = lines(std::move(rapids), of.rapid_move, of.rapid_other);
   return {{"positions", of.positions},
           {"tip", lines({{"mm", of.tip_mm}}, of.tip_move, of.tip_other)},
           {"axis", lines({{"degrees", of.axis_rad / kDegree_rad}}, of.axis_move, of.axis_other)},
+          {"rapids_in_other", std::move(rapids)},
           {"other_feed_rates", std::move(feeds)},
           {"feed_rates_not_compared", std::move(unknown)}};
+}
+
+Json left_out_json(const MovesLeftOut& out, const Toolpath& path) {
+  Json unchecked = {{"count", out.unchecked}}, rapids = {{"count", out.rapids}};
+  if (out.unchecked > 0) {
+    unchecked["line"] = line_of(path, out.first_unchecked);
+    unchecked["reason"] = valid_utf8(std::string(path.moves[out.first_unchecked].not_checked_reason));
+  }
+  if (out.rapids > 0) rapids["line"] = line_of(path, out.first_rapid);
+  return {{"not_checked", std::move(unchecked)}, {"rapids", std::move(rapids)}};
 }
 
 std::string relation_text(const PathRelation& relation) {
@@ -93,6 +144,10 @@ std::string verdict_text(const PathComparison& c) {
   if (c.exit_status() == kExitClean) return "same: no tip or axis differs by more than " + limit + "\n";
   if (c.exit_status() == kExitNotChecked) return "same as far as it was compared, within " + limit + "\n";
   const bool is_of_tip = c.tip_mm() > c.same_within_mm;
+  if (!is_of_tip && c.axis_mm() <= c.same_within_mm)
+    return "differs: " + count_text(c.rapids(), "feed") + " of one toolpath " +
+           (c.rapids() == 1 ? "is a rapid" : "are rapids") + " in the other; no tip or axis differs by more than " +
+           limit + "\n";
   return std::string("differs: ") +
          (is_of_tip ? "a tip by " + display_text(c.tip_mm(), kDecimals) + " mm"
                     : "an axis by " + display_text(c.axis_mm(), kDecimals) + " mm at " +
@@ -107,14 +162,14 @@ double PathComparison::tip_mm() const { return std::max(forward.tip_mm, backward
 double PathComparison::axis_mm() const { return std::max(forward.axis_rad, backward.axis_rad) * kHeight_mm; }
 
 ExitCode PathComparison::exit_status() const {
-  if (std::max(tip_mm(), axis_mm()) > same_within_mm) return kExitGouges;
-  return unchecked > 0 ? kExitNotChecked : kExitClean;
+  if (std::max(tip_mm(), axis_mm()) > same_within_mm || rapids() > 0) return kExitGouges;
+  return unchecked() > 0 ? kExitNotChecked : kExitClean;
 }
 
 std::string comparison_text(const PathComparison& c) {
-  return difference_text("OLD against NEW", c.forward, *c.before, *c.after) +
-         difference_text("NEW against OLD", c.backward, *c.after, *c.before) +
-         (c.unchecked > 0 ? row("moves not checked, not compared", std::to_string(c.unchecked)) : std::string()) +
+  return difference_text(c.forward, kForward, *c.before, *c.after) +
+         difference_text(c.backward, kBackward, *c.after, *c.before) +
+         left_out_rows(c.out_of_before, kForward, *c.before) + left_out_rows(c.out_of_after, kBackward, *c.after) +
          (c.relation ? relation_text(*c.relation) : std::string()) + verdict_text(c);
 }
 
@@ -127,7 +182,9 @@ std::string comparison_json(const PathComparison& c) {
                      {"after", valid_utf8(c.after->file)},
                      {"same_within_mm", c.same_within_mm},
                      {"height_mm", PathComparison::kHeight_mm},
-                     {"not_compared", c.unchecked},
+                     {"not_compared", c.unchecked()},
+                     {"left_out_before", left_out_json(c.out_of_before, *c.before)},
+                     {"left_out_after", left_out_json(c.out_of_after, *c.after)},
                      {"relation", relation_json(c.relation)},
                      {"before_against_after", difference_json(c.forward, *c.before, *c.after)},
                      {"after_against_before", difference_json(c.backward, *c.after, *c.before)}};

@@ -17,14 +17,19 @@ struct PathComparison {
   const Toolpath* before = nullptr;
   const Toolpath* after = nullptr;
   PathDifference forward, backward;  ///< of `before` against `after`, and the reverse
-  std::size_t unchecked = 0;         ///< moves of both paths that are not checked, and so not compared
+  MovesLeftOut out_of_before, out_of_after;
   double same_within_mm = 0;
   std::optional<PathRelation> relation = {};  ///< explains a difference of tips: `after` as a relation of `before`
 
   /// Return the largest distance of a tip, and that of a point at kHeight_mm by the turn of an axis.
   [[nodiscard]] double tip_mm() const;
   [[nodiscard]] double axis_mm() const;
-  /// Gouges: a tip or axis is farther than `same_within_mm`. Not checked: no such difference, but unchecked moves.
+  /// Returns the number of feeds of one path that are rapids in the other.
+  [[nodiscard]] std::size_t rapids() const { return forward.rapids + backward.rapids; }
+  /// Returns the number of moves of both paths that are not checked, and so not compared.
+  [[nodiscard]] std::size_t unchecked() const { return out_of_before.unchecked + out_of_after.unchecked; }
+  /// Gouges: a tip or axis is farther than `same_within_mm`, or a feed is a rapid in the other path. Not checked: no such
+  /// difference, but unchecked moves.
   [[nodiscard]] ExitCode exit_status() const;
 };
 

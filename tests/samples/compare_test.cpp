@@ -207,54 +207,6 @@ TEST_F(Compare, TheFolderOfAReportIsItsResultAndStaysAsItIs) {
   EXPECT_NE(paths.err.find("--paths takes --json"), std::string::npos) << paths.err;
 }
 
-TEST_F(Compare, ReadingsOfAPathAreComparedAsJson) {
-  const std::string feeds = "UNITS/MM\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/1,0,0\nFEDRAT/200,MMPM\nGOTO/2,0,0\nFINI\n";
-  shop_.write("a.apt", feeds);
-  std::string faster = feeds;
-  faster.replace(faster.find("200"), 3, "220");
-  shop_.write("b.apt", faster);
-  const Outcome ran = shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "-"});
-  EXPECT_EQ(ran.exit_status, 0) << ran.err;
-  const auto json = nlohmann::json::parse(ran.out);
-  EXPECT_EQ(json["format"], "gougecheck-path-comparison");
-  EXPECT_EQ(json["before_against_after"]["tip"]["mm"], 0);
-  EXPECT_EQ(json["before_against_after"]["other_feed_rates"],
-            nlohmann::json({{"count", 1}, {"line", 6}, {"nearest_line", 6}}));
-  EXPECT_EQ(json["before_against_after"]["feed_rates_not_compared"], nlohmann::json({{"count", 0}}));
-  const Outcome text = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
-  EXPECT_NE(text.out.find("1, first feed 200 mm/min at a.apt:6, nearest b.apt:6: feed 220 mm/min"), std::string::npos)
-      << text.out;
-  EXPECT_EQ(shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "a.apt"}).exit_status, 2);
-  EXPECT_EQ(shop_.read("a.apt"), feeds);
-}
-
-TEST_F(Compare, FeedRatesThatAreNotKnownAreNamed) {
-  shop_.write("a.apt", "UNITS/MM\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");
-  shop_.write("b.apt", "UNITS/MM\nGOTO/0,0,0\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");
-  const Outcome ran = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
-  EXPECT_EQ(ran.exit_status, 0) << ran.err;
-  EXPECT_NE(ran.out.find("  feed rates not compared         2, first feed 100 mm/min at a.apt:4, nearest b.apt:3: not "
-                         "known\n"),
-            std::string::npos)
-      << ran.out;
-}
-
-TEST_F(Compare, AReadingInAnotherUnitOrPlaceIsExplained) {
-  const auto write = [&](const char* name, const std::string& unit, const std::string& z) {
-    shop_.write(name, "UNITS/" + unit + "\nFEDRAT/100,MMPM\nGOTO/0,0," + z + "\nGOTO/10,0," + z + "\nGOTO/10,7," + z +
-                          "\nGOTO/3,2," + z + "\nFINI\n");
-  };
-  write("mm.apt", "MM", "1");
-  write("inch.apt", "INCHES", "1");
-  write("higher.apt", "MM", "1.5");
-  const Outcome unit = shop_.run({"compare", "--paths", "inch.apt", "mm.apt", "--json", "c.json"});
-  EXPECT_EQ(unit.exit_status, 1);
-  EXPECT_NE(unit.out.find("OLD is NEW times 25.4: one is read in a wrong unit"), std::string::npos) << unit.out;
-  EXPECT_EQ(shop_.json("c.json").at("relation").at("factor"), 1 / 25.4);
-  const Outcome place = shop_.run({"compare", "--paths", "mm.apt", "higher.apt"});
-  EXPECT_NE(place.out.find("NEW is OLD shifted by (0, 0, 0.5) mm"), std::string::npos) << place.out;
-}
-
 TEST_F(Compare, AFactThatIsNotEstablishedAnyMoreIsNeverNoWorse) {
   const std::string text = path_text(stations({{40, -0.2}}));
   ASSERT_EQ(shop_.check("a", text).exit_status, 1);

@@ -10,7 +10,7 @@
 namespace gouge::path_difference_test {
 namespace {
 
-constexpr double kHeight_mm = 100;
+constexpr double kHeight_mm = 100, kWithin_mm = 1e-3;
 
 /// A hole: down to R and out of it by rapids of this kind, and a feed between.
 Toolpath hole(MoveKind of_rapids, MoveKind of_feed) {
@@ -30,7 +30,7 @@ Toolpath hole(MoveKind of_rapids, MoveKind of_feed) {
 TEST(PathDifference, ComparesTheFeedsOfCyclesAlone) {
   const Toolpath cycle = hole(MoveKind::cycle, MoveKind::cycle), program = hole(MoveKind::rapid, MoveKind::feed);
   for (const auto& [one, other] : {std::pair{&cycle, &program}, std::pair{&program, &cycle}}) {
-    const auto difference = measure_difference(*one, *other, kHeight_mm);
+    const auto difference = measure_difference(*one, *other, kHeight_mm, kWithin_mm);
     ASSERT_TRUE(difference.has_value());
     EXPECT_EQ(difference->positions, 1U);
     EXPECT_LT(difference->tip_mm, 1e-12);
@@ -41,7 +41,7 @@ TEST(PathDifference, NamesTheFarthestFeedAndTheNearestOneOfTheOther) {
   const Toolpath path = hole(MoveKind::rapid, MoveKind::feed);
   Toolpath other = path;
   other.moves[2].end.tip.z() = -4;
-  const auto difference = measure_difference(path, other, kHeight_mm);
+  const auto difference = measure_difference(path, other, kHeight_mm, kWithin_mm);
   ASSERT_TRUE(difference.has_value());
   EXPECT_NEAR(difference->tip_mm, 1, 1e-12);
   EXPECT_EQ(difference->tip_move, 2U);
@@ -59,7 +59,7 @@ TEST(PathDifference, OneWrongAxisIsAnAngleAndNoDistance) {
   Toolpath other = path;
   other.moves[2].end.axis = Vec3(-s, 0, c);
   for (const auto& [one, two] : {std::pair{&path, &other}, std::pair{&other, &path}}) {
-    const auto difference = measure_difference(*one, *two, kHeight_mm);
+    const auto difference = measure_difference(*one, *two, kHeight_mm, kWithin_mm);
     ASSERT_TRUE(difference.has_value());
     EXPECT_LT(difference->tip_mm, 1e-9);
     EXPECT_NEAR(difference->axis_rad, std::numbers::pi / 3, 1e-9);
@@ -73,19 +73,19 @@ TEST(PathDifference, CountsFeedRatesThatDifferByMoreThanTheirRounding) {
   Toolpath other = path;
   const auto count = [&](double feed, FeedUnit unit) {
     other.moves[2].set_feed({feed, unit});
-    return measure_difference(path, other, kHeight_mm)->other_feeds;
+    return measure_difference(path, other, kHeight_mm, kWithin_mm)->other_feeds;
   };
   EXPECT_EQ(count(800.4, FeedUnit::per_minute), 0U);
   EXPECT_EQ(count(0, FeedUnit::not_stated), 0U);
   EXPECT_EQ(count(0.2, FeedUnit::per_revolution), 0U) << "the speed of the spindle is not known";
   EXPECT_EQ(count(808, FeedUnit::per_minute), 1U);
-  const auto difference = measure_difference(path, other, kHeight_mm);
+  const auto difference = measure_difference(path, other, kHeight_mm, kWithin_mm);
   EXPECT_EQ(difference->feed_move, 2U);
   EXPECT_EQ(difference->feed_other, 2U);
   other.moves[2].set_feed({0, FeedUnit::not_stated});
-  EXPECT_EQ(measure_difference(path, other, kHeight_mm)->unknown_feeds, 1U);
-  EXPECT_EQ(measure_difference(other, path, kHeight_mm)->unknown_feeds, 1U);
-  EXPECT_EQ(measure_difference(path, path, kHeight_mm)->unknown_feeds, 0U);
+  EXPECT_EQ(measure_difference(path, other, kHeight_mm, kWithin_mm)->unknown_feeds, 1U);
+  EXPECT_EQ(measure_difference(other, path, kHeight_mm, kWithin_mm)->unknown_feeds, 1U);
+  EXPECT_EQ(measure_difference(path, path, kHeight_mm, kWithin_mm)->unknown_feeds, 0U);
 }
 
 TEST(PathDifference, FindsNoOtherFeedInItsOwnCopy) {
@@ -98,7 +98,110 @@ TEST(PathDifference, FindsNoOtherFeedInItsOwnCopy) {
     path.moves[i].kind = MoveKind::feed;
     path.moves[i].set_feed({100.0 * static_cast<double>(i + 1), FeedUnit::per_minute});
   }
-  EXPECT_EQ(measure_difference(path, path, kHeight_mm)->other_feeds, 0U);
+  EXPECT_EQ(measure_difference(path, path, kHeight_mm, kWithin_mm)->other_feeds, 0U);
+}
+
+/// A cut at z 0, with a plunge before and a retract after it.
+Toolpath cut() {
+  Toolpath path = paths::through({paths::upright(0, 0, 40), paths::upright(0, 0, 0), paths::upright(30, 0, 0),
+                                  paths::upright(30, 0, 40), paths::upright(60, 5, 40)});
+  for (const std::size_t rapid : {0U, 4U}) path.moves[rapid].kind = MoveKind::rapid;
+  return path;
+}
+
+Toolpath with_rapid(Toolpath path, std::size_t move) {
+  path.moves[move].kind = MoveKind::rapid;
+  return path;
+}
+
+TEST(PathDifference, NamesAFeedWhoseEndOnlyARapidReaches) {
+  const Toolpath path = cut(), other = with_rapid(path, 3);
+  const auto difference = measure_difference(path, other, kHeight_mm, kWithin_mm);
+  EXPECT_EQ(difference->rapids, 1U);
+  EXPECT_EQ(difference->retracts, 1U);
+  EXPECT_EQ(difference->rapid_move, 3U);
+  EXPECT_EQ(difference->rapid_other, 3U);
+  EXPECT_EQ(difference->tip_mm, 0) << "it lies on the rapid";
+  EXPECT_EQ(measure_difference(other, path, kHeight_mm, kWithin_mm)->rapids, 0U);
+  EXPECT_EQ(measure_difference(path, path, kHeight_mm, kWithin_mm)->rapids, 0U);
+}
+
+// The next feed begins at the end of the rapid, so the end alone shows no difference.
+TEST(PathDifference, NamesACutThatIsARapidBetweenFeeds) {
+  const Toolpath path = cut(), other = with_rapid(path, 2);
+  const auto difference = measure_difference(path, other, kHeight_mm, kWithin_mm);
+  EXPECT_EQ(difference->rapids, 1U);
+  EXPECT_EQ(difference->retracts, 0U);
+  EXPECT_EQ(difference->rapid_move, 2U);
+}
+
+TEST(PathDifference, NamesACutBeforeRetractsThatAreRapids) {
+  Toolpath path = cut();
+  path.moves.push_back(path.moves[2]);
+  path.moves.back().end = paths::upright(60, 5, 0);
+  path.moves.push_back(path.moves.back());
+  path.moves.back().end = paths::upright(90, 5, 0);
+  path.moves.push_back(path.moves.back());
+  path.moves.back().end = paths::upright(90, 5, 40);
+  const Toolpath other = with_rapid(with_rapid(with_rapid(path, 3), 6), 7);
+  const auto difference = measure_difference(path, other, kHeight_mm, kWithin_mm);
+  EXPECT_EQ(difference->rapids, 3U);
+  EXPECT_EQ(difference->retracts, 2U);
+  EXPECT_EQ(difference->rapid_move, 6U);
+}
+
+TEST(PathDifference, NamesEachFeedOnOneRapid) {
+  const Toolpath one_rapid = with_rapid(cut(), 3);
+  Toolpath two_feeds = cut();
+  Move half = two_feeds.moves[3];
+  half.end = paths::upright(30, 0, 15);
+  two_feeds.moves.insert(two_feeds.moves.begin() + 3, half);
+  EXPECT_EQ(measure_difference(two_feeds, one_rapid, kHeight_mm, kWithin_mm)->rapids, 2U);
+}
+
+// The last position is 1 mm too high; then it lies on the retract of the other path by chance.
+TEST(PathDifference, AWrongPositionOnARetractIsADistance) {
+  const Toolpath path = with_rapid(cut(), 3);
+  Toolpath other = path;
+  other.moves[2].end.tip.z() = 1;
+  const auto difference = measure_difference(other, path, kHeight_mm, kWithin_mm);
+  EXPECT_EQ(difference->rapids, 0U);
+  EXPECT_NEAR(difference->tip_mm, 1, 1e-12);
+}
+
+// A rapid along a feed that the other path has too is no difference.
+TEST(PathDifference, AFeedBesideARapidOnTheSameWayIsNoRapid) {
+  Toolpath there = paths::through({paths::upright(0, 0, 9), paths::upright(0, 0, 0), paths::upright(0, 0, 9),
+                                   paths::upright(0, 0, 0), paths::upright(5, 0, 0)});
+  there.moves[3].kind = MoveKind::rapid;
+  Toolpath other = there;
+  std::swap(other.moves[1].kind, other.moves[3].kind);
+  EXPECT_EQ(measure_difference(there, other, kHeight_mm, kWithin_mm)->rapids, 0U);
+}
+
+TEST(PathDifference, APositionAloneIsNoFeedThatBecameARapid) {
+  const Toolpath path = cut();
+  Toolpath other = path;
+  other.moves[0].kind = MoveKind::feed;
+  other.moves[1].kind = MoveKind::rapid;
+  Toolpath first_rapid = other;
+  first_rapid.moves[0].kind = MoveKind::rapid;
+  const auto difference = measure_difference(other, first_rapid, kHeight_mm, kWithin_mm);
+  EXPECT_EQ(difference->rapids, 0U);
+  EXPECT_EQ(difference->tip_mm, 0);
+}
+
+TEST(PathDifference, CountsMovesThatAreLeftOut) {
+  Toolpath path = cut();
+  path.moves[2].not_checked_reason = "a feed";
+  path.moves[0].not_checked_reason = "a rapid";
+  const MovesLeftOut out = count_left_out(path);
+  EXPECT_EQ(out.feeds, 2U);
+  EXPECT_EQ(out.unchecked, 2U);
+  EXPECT_EQ(out.first_unchecked, 0U);
+  EXPECT_EQ(out.first_unchecked_feed, 2U);
+  EXPECT_EQ(out.rapids, 1U);
+  EXPECT_EQ(out.first_rapid, 4U);
 }
 
 Toolpath finishing_passes() {
@@ -110,7 +213,6 @@ Toolpath finishing_passes() {
 }
 
 TEST(PathRelation, FindsAFactorOfInchesAndAShift) {
-  constexpr double kWithin_mm = 1e-3;
   const Toolpath path = finishing_passes();
   EXPECT_FALSE(find_relation(path, path, kWithin_mm).has_value());
   Toolpath inches = path, shifted = path;

@@ -1,0 +1,71 @@
+#include "lib/path/motion_chords.h"
+
+#include <algorithm>
+
+#include "lib/path/chords.h"
+#include "lib/path/path_info.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kChord_mm = 1e-4;  // of arcs and splines
+
+Pose beginning_of(const Toolpath& path, std::size_t move) {
+  return path.moves[move].has_start ? path.start_of(move) : path.moves[move].end;
+}
+
+// The position of a motion that is not checked is known where the next motion begins there.
+bool has_known_end(const Toolpath& path, std::size_t move) {
+  if (path.moves[move].not_checked_reason.empty()) return true;
+  return move + 1 < path.moves.size() && path.moves[move + 1].has_start;
+}
+
+}  // namespace
+
+bool is_rapid(const Move& move) { return move.kind == MoveKind::rapid || move.feed_unit == FeedUnit::rapid; }
+
+bool is_checked_feed(const Move& move) { return !is_rapid(move) && move.not_checked_reason.empty(); }
+
+std::vector<MotionChord> chords_of_feeds(const Toolpath& path) {
+  std::vector<MotionChord> feeds;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    if (!is_checked_feed(move)) continue;
+    Pose from = beginning_of(path, i);
+    if (!move.has_start || move.curve_kind == CurveKind::none) {
+      feeds.push_back({from, move.end, i});
+      continue;
+    }
+    for (const Pose& to : chords_of(path, i, kChord_mm)) {
+      feeds.push_back({from, to, i});
+      from = to;
+    }
+  }
+  return feeds;
+}
+
+std::vector<MotionChord> chords_of_rapids(const Toolpath& path) {
+  std::vector<MotionChord> rapids;
+  for (std::size_t i = 0; i < path.moves.size(); ++i)
+    if (is_rapid(path.moves[i]) && has_known_end(path, i))
+      rapids.push_back({beginning_of(path, i), path.moves[i].end, i});
+  return rapids;
+}
+
+PoseDistance distance_from(const Pose& pose, const MotionChord& chord) {
+  const Vec3 way = chord.to.tip - chord.from.tip;
+  const double squared = way.squaredNorm();
+  const auto at = [&](double t) {
+    return PoseDistance{(chord.from.tip + t * way - pose.tip).norm(),
+                        angle_between_rad(axis_between(chord.from.axis, chord.to.axis, t), pose.axis)};
+  };
+  if (squared > 0) return at(std::clamp((pose.tip - chord.from.tip).dot(way) / squared, 0.0, 1.0));
+  const PoseDistance first = at(0), last = at(1);
+  return first.axis_rad < last.axis_rad ? first : last;
+}
+
+double tip_bound_mm(const Pose& pose, const MotionChord& chord) {
+  return (pose.tip - chord.to.tip).norm() - chord.length_mm();
+}
+
+}  // namespace gouge

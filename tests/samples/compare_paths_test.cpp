@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/samples/small_shop.h"
+
+// `gougecheck compare --paths` as a person would judge it.
+
+namespace gouge::testing_samples::compare_paths_test {
+namespace {
+
+class ComparePaths : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome compare(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"compare", "--paths"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return shop_.run(arguments);
+  }
+  static void expect_text(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+
+  SmallShop shop_;
+};
+
+TEST_F(ComparePaths, ReadingsOfAPathAreComparedAsJson) {
+  const std::string feeds = "UNITS/MM\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/1,0,0\nFEDRAT/200,MMPM\nGOTO/2,0,0\nFINI\n";
+  shop_.write("a.apt", feeds);
+  std::string faster = feeds;
+  faster.replace(faster.find("200"), 3, "220");
+  shop_.write("b.apt", faster);
+  const Outcome ran = shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "-"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  const auto json = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(json["format"], "gougecheck-path-comparison");
+  EXPECT_EQ(json["before_against_after"]["tip"]["mm"], 0);
+  EXPECT_EQ(json["before_against_after"]["other_feed_rates"],
+            nlohmann::json({{"count", 1}, {"line", 6}, {"nearest_line", 6}}));
+  EXPECT_EQ(json["before_against_after"]["feed_rates_not_compared"], nlohmann::json({{"count", 0}}));
+  const Outcome text = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
+  EXPECT_NE(text.out.find("1, first feed 200 mm/min at a.apt:6, nearest b.apt:6: feed 220 mm/min"), std::string::npos)
+      << text.out;
+  EXPECT_EQ(shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "a.apt"}).exit_status, 2);
+  EXPECT_EQ(shop_.read("a.apt"), feeds);
+}
+
+TEST_F(ComparePaths, FeedRatesThatAreNotKnownAreNamed) {
+  shop_.write("a.apt", "UNITS/MM\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");
+  shop_.write("b.apt", "UNITS/MM\nGOTO/0,0,0\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");
+  const Outcome ran = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("  feed rates not compared         2, first feed 100 mm/min at a.apt:4, nearest b.apt:3: not "
+                         "known\n"),
+            std::string::npos)
+      << ran.out;
+}
+
+TEST_F(ComparePaths, AReadingInAnotherUnitOrPlaceIsExplained) {
+  const auto write = [&](const char* name, const std::string& unit, const std::string& z) {
+    shop_.write(name, "UNITS/" + unit + "\nFEDRAT/100,MMPM\nGOTO/0,0," + z + "\nGOTO/10,0," + z + "\nGOTO/10,7," + z +
+                          "\nGOTO/3,2," + z + "\nFINI\n");
+  };
+  write("mm.apt", "MM", "1");
+  write("inch.apt", "INCHES", "1");
+  write("higher.apt", "MM", "1.5");
+  const Outcome unit = shop_.run({"compare", "--paths", "inch.apt", "mm.apt", "--json", "c.json"});
+  EXPECT_EQ(unit.exit_status, 1);
+  EXPECT_NE(unit.out.find("OLD is NEW times 25.4: one is read in a wrong unit"), std::string::npos) << unit.out;
+  EXPECT_EQ(shop_.json("c.json").at("relation").at("factor"), 1 / 25.4);
+  const Outcome place = shop_.run({"compare", "--paths", "mm.apt", "higher.apt"});
+  EXPECT_NE(place.out.find("NEW is OLD shifted by (0, 0, 0.5) mm"), std::string::npos) << place.out;
+}
+
+/// A plunge, a cut and a retract; `before_cut` and `before_retract` may make rapids of the last two.
+std::string cut_text(const std::string& before_cut, const std::string& before_retract, const char* unit = "MM") {
+  return std::string("PARTNO/T\nUNITS/") + unit + "\nLOADTL/1\nRAPID\nGOTO/10,10,40\nFEDRAT/500,MMPM\nGOTO/10,10,1\n" +
+         before_cut + "GOTO/30,10,0\n" + before_retract + "GOTO/30,10,40\nFINI\n";
+}
+
+TEST_F(ComparePaths, AFeedThatBecameARapidIsADifferenceOfItsOwn) {
+  for (const char* unit : {"MM", "INCHES"}) {
+    shop_.write("a.apt", cut_text("", "", unit));
+    shop_.write("b.apt", cut_text("", "RAPID\n", unit));
+    const Outcome ran = compare({"a.apt", "b.apt", "--json", "c.json"});
+    EXPECT_EQ(ran.exit_status, 1) << ran.err;
+    expect_text(ran.out,
+                "  feeds that are rapids in NEW    1, first: a feed in OLD at line 9 is a rapid in NEW at line 10; it "
+                "is a retract along the tool axis\n");
+    expect_text(ran.out, "differs: 1 feed of one toolpath is a rapid in the other; no tip or axis differs");
+    const auto json = shop_.json("c.json");
+    EXPECT_EQ(json["before_against_after"]["rapids_in_other"],
+              nlohmann::json({{"count", 1}, {"retracts", 1}, {"line", 9}, {"nearest_line", 10}}));
+    EXPECT_EQ(json["after_against_before"]["rapids_in_other"], nlohmann::json({{"count", 0}, {"retracts", 0}}));
+    EXPECT_LT(json["before_against_after"]["tip"]["mm"].get<double>(), 1e-9);
+    expect_text(compare({"b.apt", "a.apt"}).out, "a feed in NEW at line 9 is a rapid in OLD at line 10");
+  }
+}
+
+TEST_F(ComparePaths, ACutThatBecameARapidIsFoundBetweenFeeds) {
+  shop_.write("a.apt", cut_text("", ""));
+  shop_.write("b.apt", cut_text("RAPID\n", "FEDRAT/500,MMPM\n"));
+  const Outcome ran = compare({"a.apt", "b.apt"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  expect_text(ran.out, "1, first: a feed in OLD at line 8 is a rapid in NEW at line 9\n");
+}
+
+TEST_F(ComparePaths, AProgramWithARapidInPlaceOfAFeedDiffers) {
+  shop_.write("a.apt", cut_text("", "RAPID\n"));
+  const std::string head = "%\nO1\nG21 G17 G90 G40 G80 G94\nT1 M6\nG54\nG0 X10. Y10.\nG43 H1 Z40.\nG1 Z1. F500.\n";
+  shop_.write("same.nc", head + "G1 X30. Z0.\nG0 Z40.\nM30\n%\n");
+  shop_.write("other.nc", head + "G0 X30. Z0.\nG0 Z40.\nM30\n%\n");
+  const auto ran = [&](const std::string& program) {
+    return compare({"a.apt", program, "--control", "haas", "--joint-rapid-law", "joint"});
+  };
+  EXPECT_EQ(ran("same.nc").exit_status, 0) << ran("same.nc").out << ran("same.nc").err;
+  const Outcome other = ran("other.nc");
+  EXPECT_EQ(other.exit_status, 1);
+  expect_text(other.out, "a feed in OLD at line 8 is a rapid in NEW at line 9\n");
+}
+
+TEST_F(ComparePaths, MovesThatAreNotComparedAreNamedForEachFile) {
+  shop_.write("a.apt", cut_text("", ""));
+  shop_.write("b.apt", cut_text("", "FROBNI/1\n"));
+  const Outcome ran = compare({"a.apt", "b.apt", "--json", "c.json"});
+  expect_text(ran.out, "rapids in OLD                     1, first a.apt:5: only feeds are compared\n");
+  expect_text(ran.out, "moves not checked in NEW          ");
+  const auto json = shop_.json("c.json");
+  EXPECT_EQ(json["left_out_before"],
+            nlohmann::json({{"not_checked", {{"count", 0}}}, {"rapids", {{"count", 1}, {"line", 5}}}}));
+  const auto unchecked = json["left_out_after"]["not_checked"];
+  EXPECT_EQ(unchecked["count"], json["not_compared"]);
+  expect_text(ran.out,
+              "first b.apt:" + unchecked["line"].dump() + ": " + unchecked["reason"].get<std::string>() + "\n");
+}
+
+TEST_F(ComparePaths, TheFileWithoutFeedsIsNamedWithItsReason) {
+  shop_.write("a.apt", cut_text("", ""));
+  shop_.write("rapids.apt", "UNITS/MM\nRAPID\nGOTO/1,2,3\nRAPID\nGOTO/3,3,3\nFINI\n");
+  for (const auto& [one, other] : {std::pair("a.apt", "rapids.apt"), std::pair("rapids.apt", "a.apt")}) {
+    const Outcome ran = compare({one, other});
+    EXPECT_EQ(ran.exit_status, 3);
+    EXPECT_EQ(ran.err,
+              "rapids.apt: error: holds no feed that is checked, so nothing can be compared: all its moves are rapids "
+              "[path-no-motion]\n");
+  }
+  shop_.write("turned.nc",
+              "%\nO1\nG21 G17 G90 G40 G80 G94\nT1 M6\nG54\nG0 B0. C0.\nG43 H1 Z100.\nG0 X5. Y5. Z100.\n"
+              "G1 X20. Y3. Z20. B15. F500.\nM30\n%\n");
+  const Outcome ran = compare({"a.apt", "turned.nc", "--machine", "preset:haas-umc750", "--joint-rapid-law", "joint",
+                               "--rotary-turns", "as-programmed"});
+  EXPECT_EQ(ran.exit_status, 3);
+  expect_text(ran.err,
+              "turned.nc:9: error: holds no feed that is checked, so nothing can be compared; the first reason: ");
+  expect_text(ran.err, "expected --joint-point B=X,Y,Z [path-no-motion]\n");
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples::compare_paths_test
