@@ -43,6 +43,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
                    "OLD and NEW are two readings of a toolpath, such as CL data and the program made of it: show the "
                    "largest distance of their tips and axes, and the first feed rate that differs");
   add_program_reading(command, arguments, MachineOption::possible);
+  add_reading_of_new(command, arguments.of_new);
   add_verbosity(command, arguments, "List the unchanged findings too (not with -q)");
   command.footer(
       "Examples:\n"

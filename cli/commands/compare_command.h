@@ -19,6 +19,7 @@ struct CompareArguments : Verbosity, ProgramReading {
   std::string same_within = "0.001";
   std::string html_file, json_file;  ///< "-": standard output, which then has nothing else
   bool are_paths = false;            ///< OLD and NEW are toolpaths
+  ProgramReading of_new;             ///< facts of NEW alone
 };
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments);

@@ -29,6 +29,27 @@ Diagnostics find_nothing_to_compare(const std::vector<Toolpath>& paths) {
   return errors;
 }
 
+/// Reads OLD and NEW into `paths`, and prints their notes. Returns the errors.
+Diagnostics read_both(const CompareArguments& arguments, std::ostream& err, std::vector<Toolpath>& paths) {
+  const ProgramReading facts_of_new = reading_of_new(arguments, arguments.of_new);
+  const Result<ToolpathReader> old_reader = ToolpathReader::make(arguments);
+  if (!old_reader) return {old_reader.error()};
+  const Result<ToolpathReader> new_reader = ToolpathReader::make(facts_of_new);
+  if (!new_reader) return {with_options_of_new(new_reader.error())};
+  const bool is_control_stated = !facts_of_new.reading.control.empty() || !facts_of_new.stated.machine.empty();
+  for (const bool is_new : {false, true}) {
+    ReadOutcome outcome = (is_new ? *new_reader : *old_reader).read(is_new ? arguments.after : arguments.before);
+    if (!outcome.toolpath) {
+      for (Diagnostic& error : outcome.errors)
+        if (is_new && is_control_stated && error.code == "gcode-control") error = with_options_of_new(error);
+      return outcome.errors;
+    }
+    print(err, outcome.toolpath->notes);
+    paths.push_back(std::move(*outcome.toolpath));
+  }
+  return {};
+}
+
 }  // namespace
 
 int run_compare_paths(const CompareArguments& arguments, double same_within_mm, std::ostream& out, std::ostream& err) {
@@ -37,15 +58,8 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
   if (const auto status =
           refuse_outputs({{"the old toolpath", arguments.before}, {"the new toolpath", arguments.after}}, outputs, err))
     return *status;
-  const Result<ToolpathReader> reader = ToolpathReader::make(arguments);
-  if (!reader) return fail(err, {reader.error()});
   std::vector<Toolpath> paths;
-  for (const std::string& file : {arguments.before, arguments.after}) {
-    ReadOutcome outcome = reader->read(file);
-    if (!outcome.toolpath) return fail(err, outcome.errors);
-    print(err, outcome.toolpath->notes);
-    paths.push_back(std::move(*outcome.toolpath));
-  }
+  if (const Diagnostics errors = read_both(arguments, err, paths); !errors.empty()) return fail(err, errors);
   if (const Diagnostics errors = find_nothing_to_compare(paths); !errors.empty()) return fail(err, errors);
   const auto measure = [&](const Toolpath& path, const Toolpath& other) {
     return measure_difference(path, other, PathComparison::kHeight_mm, same_within_mm).value_or(PathDifference{});
@@ -56,6 +70,7 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
                             measure(paths[1], paths[0]),
                             count_left_out(paths[0]),
                             count_left_out(paths[1]),
+                            compare_order(paths[0], paths[1], same_within_mm),
                             same_within_mm};
   if (comparison.tip_mm() > same_within_mm) comparison.relation = find_relation(paths[0], paths[1], same_within_mm);
   if (!arguments.json_file.empty()) {

@@ -125,6 +125,25 @@ Json left_out_json(const MovesLeftOut& out, const Toolpath& path) {
   return {{"not_checked", std::move(unchecked)}, {"rapids", std::move(rapids)}};
 }
 
+constexpr std::size_t kMinOrdered = 2;  // positions that can have an order
+
+std::string order_row(const PathComparison& c) {
+  if (!c.order.is_same())
+    return row("order", "differs from line " + std::to_string(line_of(*c.before, c.order.move)) + " of OLD and line " +
+                            std::to_string(line_of(*c.after, c.order.other)) + " of NEW on");
+  const std::string where = count_text(c.order.positions, "position") + " that each file reaches once";
+  return row("order", (c.order.positions < kMinOrdered ? "not known: " : "the same at ") + where);
+}
+
+Json order_json(const PathComparison& c) {
+  Json order = {{"positions", c.order.positions}, {"is_same", nullptr}};
+  if (!c.order.is_same() || c.order.positions >= kMinOrdered) order["is_same"] = c.order.is_same();
+  if (c.order.is_same()) return order;
+  order["line"] = line_of(*c.before, c.order.move);
+  order["nearest_line"] = line_of(*c.after, c.order.other);
+  return order;
+}
+
 std::string relation_text(const PathRelation& relation) {
   if (relation.factor > 1) return row("relation", "NEW is OLD times 25.4: one is read in a wrong unit (--path-units)");
   if (relation.factor < 1) return row("relation", "OLD is NEW times 25.4: one is read in a wrong unit (--path-units)");
@@ -144,10 +163,12 @@ std::string verdict_text(const PathComparison& c) {
   if (c.exit_status() == kExitClean) return "same: no tip or axis differs by more than " + limit + "\n";
   if (c.exit_status() == kExitNotChecked) return "same as far as it was compared, within " + limit + "\n";
   const bool is_of_tip = c.tip_mm() > c.same_within_mm;
-  if (!is_of_tip && c.axis_mm() <= c.same_within_mm)
-    return "differs: " + count_text(c.rapids(), "feed") + " of one toolpath " +
-           (c.rapids() == 1 ? "is a rapid" : "are rapids") + " in the other; no tip or axis differs by more than " +
-           limit + "\n";
+  if (!is_of_tip && c.axis_mm() <= c.same_within_mm) {
+    const std::string found = c.rapids() == 0 ? std::string("the order of positions")
+                                              : count_text(c.rapids(), "feed") + " of one toolpath " +
+                                                    (c.rapids() == 1 ? "is a rapid" : "are rapids") + " in the other";
+    return "differs: " + found + "; no tip or axis differs by more than " + limit + "\n";
+  }
   return std::string("differs: ") +
          (is_of_tip ? "a tip by " + display_text(c.tip_mm(), kDecimals) + " mm"
                     : "an axis by " + display_text(c.axis_mm(), kDecimals) + " mm at " +
@@ -162,7 +183,7 @@ double PathComparison::tip_mm() const { return std::max(forward.tip_mm, backward
 double PathComparison::axis_mm() const { return std::max(forward.axis_rad, backward.axis_rad) * kHeight_mm; }
 
 ExitCode PathComparison::exit_status() const {
-  if (std::max(tip_mm(), axis_mm()) > same_within_mm || rapids() > 0) return kExitGouges;
+  if (std::max(tip_mm(), axis_mm()) > same_within_mm || rapids() > 0 || !order.is_same()) return kExitGouges;
   return unchecked() > 0 ? kExitNotChecked : kExitClean;
 }
 
@@ -170,7 +191,7 @@ std::string comparison_text(const PathComparison& c) {
   return difference_text(c.forward, kForward, *c.before, *c.after) +
          difference_text(c.backward, kBackward, *c.after, *c.before) +
          left_out_rows(c.out_of_before, kForward, *c.before) + left_out_rows(c.out_of_after, kBackward, *c.after) +
-         (c.relation ? relation_text(*c.relation) : std::string()) + verdict_text(c);
+         order_row(c) + (c.relation ? relation_text(*c.relation) : std::string()) + verdict_text(c);
 }
 
 std::string comparison_json(const PathComparison& c) {
@@ -185,6 +206,7 @@ std::string comparison_json(const PathComparison& c) {
                      {"not_compared", c.unchecked()},
                      {"left_out_before", left_out_json(c.out_of_before, *c.before)},
                      {"left_out_after", left_out_json(c.out_of_after, *c.after)},
+                     {"order", order_json(c)},
                      {"relation", relation_json(c.relation)},
                      {"before_against_after", difference_json(c.forward, *c.before, *c.after)},
                      {"after_against_before", difference_json(c.backward, *c.after, *c.before)}};

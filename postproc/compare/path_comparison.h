@@ -5,6 +5,7 @@
 
 #include "lib/base/exit_code.h"
 #include "lib/path/path_difference.h"
+#include "lib/path/path_order.h"
 
 namespace gouge {
 
@@ -18,6 +19,7 @@ struct PathComparison {
   const Toolpath* after = nullptr;
   PathDifference forward, backward;  ///< of `before` against `after`, and the reverse
   MovesLeftOut out_of_before, out_of_after;
+  PathOrder order;  ///< of the positions of both
   double same_within_mm = 0;
   std::optional<PathRelation> relation = {};  ///< explains a difference of tips: `after` as a relation of `before`
 
@@ -28,8 +30,8 @@ struct PathComparison {
   [[nodiscard]] std::size_t rapids() const { return forward.rapids + backward.rapids; }
   /// Returns the number of moves of both paths that are not checked, and so not compared.
   [[nodiscard]] std::size_t unchecked() const { return out_of_before.unchecked + out_of_after.unchecked; }
-  /// Gouges: a tip or axis is farther than `same_within_mm`, or a feed is a rapid in the other path. Not checked: no such
-  /// difference, but unchecked moves.
+  /// Gouges: a tip or axis is farther than `same_within_mm`, a feed is a rapid in the other path, or the order differs.
+  /// Not checked: no such difference, but unchecked moves.
   [[nodiscard]] ExitCode exit_status() const;
 };
 
