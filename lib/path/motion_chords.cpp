@@ -1,6 +1,7 @@
 #include "lib/path/motion_chords.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
@@ -18,6 +19,15 @@ Pose beginning_of(const Toolpath& path, std::size_t move) {
 bool has_known_end(const Toolpath& path, std::size_t move) {
   if (path.moves[move].not_checked_reason.empty()) return true;
   return move + 1 < path.moves.size() && path.moves[move + 1].has_start;
+}
+
+/// Returns the share of an even turn at which it is nearest to an axis, if that is within the turn.
+double nearest_turn(const Vec3& axis, const Vec3& from, const Vec3& to) {
+  const Vec3 pole = from.cross(to);
+  const double angle_rad = angle_between_rad(from, to);
+  if (pole.norm() <= 0 || angle_rad <= 0) return 0;
+  const Vec3 across = pole.normalized().cross(from);
+  return std::clamp(std::atan2(axis.dot(across), axis.dot(from)) / angle_rad, 0.0, 1.0);
 }
 
 }  // namespace
@@ -44,6 +54,15 @@ std::vector<MotionChord> chords_of_feeds(const Toolpath& path) {
   return feeds;
 }
 
+std::vector<Pose> inner_positions(const Toolpath& path, std::size_t move, std::size_t max_count) {
+  if (!path.moves[move].has_start || path.moves[move].curve_kind == CurveKind::none) return {};
+  const std::vector<Pose> ends = chords_of(path, move, kChord_mm);
+  const std::size_t inner = ends.size() - 1, count = std::min(inner, max_count);
+  std::vector<Pose> positions;
+  for (std::size_t k = 1; k <= count; ++k) positions.push_back(ends[k * inner / (count + 1)]);
+  return positions;
+}
+
 std::vector<MotionChord> chords_of_rapids(const Toolpath& path) {
   std::vector<MotionChord> rapids;
   for (std::size_t i = 0; i < path.moves.size(); ++i)
@@ -60,8 +79,8 @@ PoseDistance distance_from(const Pose& pose, const MotionChord& chord) {
                         angle_between_rad(axis_between(chord.from.axis, chord.to.axis, t), pose.axis)};
   };
   if (squared > 0) return at(std::clamp((pose.tip - chord.from.tip).dot(way) / squared, 0.0, 1.0));
-  const PoseDistance first = at(0), last = at(1);
-  return first.axis_rad < last.axis_rad ? first : last;
+  const PoseDistance first = at(0), last = at(1), between = at(nearest_turn(pose.axis, chord.from.axis, chord.to.axis));
+  return std::ranges::min({first, last, between}, {}, &PoseDistance::axis_rad);
 }
 
 double tip_bound_mm(const Pose& pose, const MotionChord& chord) {

@@ -25,6 +25,9 @@ struct MotionChord {
 
 /// Returns the feeds that are checked, with arcs and splines as chords.
 [[nodiscard]] std::vector<MotionChord> chords_of_feeds(const Toolpath& path);
+/// Returns positions within a curved feed, in order, at most `max_count` of them, without both ends. Empty for a straight
+/// feed.
+[[nodiscard]] std::vector<Pose> inner_positions(const Toolpath& path, std::size_t move, std::size_t max_count);
 /// Returns the rapids whose end is known. They include rapids whose motion is not known, as straight lines.
 [[nodiscard]] std::vector<MotionChord> chords_of_rapids(const Toolpath& path);
 
@@ -40,7 +43,7 @@ struct PoseDistance {
   }
 };
 
-/// The axis is that of the great circle at the nearest tip; where the tip rests, that which is nearer of both ends.
+/// The axis is that of the great circle at the nearest tip; where the tip rests, the nearest one of the turn.
 [[nodiscard]] PoseDistance distance_from(const Pose& pose, const MotionChord& chord);
 /// Returns a lower bound of the distance of the tip.
 [[nodiscard]] double tip_bound_mm(const Pose& pose, const MotionChord& chord);

@@ -2,74 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
-#include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
 #include "lib/path/motion_chords.h"
+#include "lib/path/nearest_feed.h"
 #include "lib/path/path_info.h"
 #include "lib/path/rapid_places.h"
 
 namespace gouge {
 namespace {
 
-// A motion this near among those that follow the last one ends the search; one at the same point ends it at once.
-constexpr double kAlike_mm = 1e-3;
-constexpr std::size_t kAhead = 200;  // motions after the last one in which the next is looked for first
-
-class Nearest {
- public:
-  Nearest(const std::vector<MotionChord>& feeds, double height_mm) : feeds_(feeds), height_mm_(height_mm) {}
-
-  /// Returns the distance of the tip from the nearest feed, and the smallest angle at a feed as near, which `last` becomes.
-  PoseDistance find(const Pose& pose) {
-    best_ = {};
-    nearest_mm_ = std::numeric_limits<double>::infinity();
-    const std::size_t ahead = std::min(feeds_.size(), last_ + kAhead);
-    const std::size_t begin = begin_ = last_;
-    const bool is_found = look_at(pose, begin, ahead, Tolerance::kSamePoint_mm) || best_.sum(height_mm_) < kAlike_mm ||
-                          look_at(pose, ahead, feeds_.size(), kAlike_mm);
-    if (!is_found) look_at(pose, 0, begin, kAlike_mm);
-    return {nearest_mm_, best_.axis_rad};
-  }
-  [[nodiscard]] std::size_t move() const { return feeds_[last_].move; }
-  /// Returns whether a motion that is as near as the nearest one fulfils a condition. Where a path passes a place more
-  /// than once, several motions do. It looks at the motions that find() looks at first.
-  template <class Condition>
-  [[nodiscard]] bool has_alike(const Pose& pose, Condition fulfils) const {
-    const std::size_t end = std::min(feeds_.size(), begin_ + kAhead);
-    const double near_mm = std::max(kAlike_mm, best_.sum(height_mm_));
-    for (std::size_t i = begin_; i < end; ++i) {
-      if (tip_bound_mm(pose, feeds_[i]) > near_mm || !fulfils(feeds_[i].move)) continue;
-      if (distance_from(pose, feeds_[i]).sum(height_mm_) <= near_mm) return true;
-    }
-    return false;
-  }
-
- private:
-  /// Looks for a nearer feed until one is nearer than `enough_mm`. Returns whether it found one.
-  bool look_at(const Pose& pose, std::size_t begin, std::size_t end, double enough_mm) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (tip_bound_mm(pose, feeds_[i]) > nearest_mm_ + kAlike_mm) continue;
-      const PoseDistance found = distance_from(pose, feeds_[i]);
-      if (found.tip_mm > nearest_mm_ + kAlike_mm) continue;
-      nearest_mm_ = std::min(nearest_mm_, found.tip_mm);
-      const bool is_best_near = best_.tip_mm <= nearest_mm_ + kAlike_mm;
-      if (is_best_near && !(found.sum(height_mm_) < best_.sum(height_mm_))) continue;
-      best_ = found;
-      last_ = i;
-      if (best_.sum(height_mm_) < enough_mm) return true;
-    }
-    return false;
-  }
-
-  const std::vector<MotionChord>& feeds_;
-  double height_mm_;
-  PoseDistance best_;      // as near as nearest_mm_ within kAlike_mm
-  double nearest_mm_ = 0;  // distance of the nearest tip
-  std::size_t last_ = 0, begin_ = 0;
-};
+constexpr std::size_t kMaxInner = 3;  // positions in a curved feed that are measured
 
 bool are_feeds_comparable(const Move& move, const Move& other) {
   const Feed one = move.feed(), two = other.feed();
@@ -91,7 +35,7 @@ bool has_other_feed(const Move& move, const Move& other) {
 /// Measures the feeds of a path in their order.
 class Measurement {
  public:
-  Measurement(const Toolpath& path, const Toolpath& other, const std::vector<MotionChord>& feeds, double height_mm,
+  Measurement(const Toolpath& path, const Toolpath& other, const FeedsInBlocks& feeds, double height_mm,
               double within_mm)
       : path_(path),
         other_(other),
@@ -103,6 +47,10 @@ class Measurement {
 
   void add(std::size_t move) {
     ++result_.positions;
+    for (const Pose& inner : inner_positions(path_, move, kMaxInner)) {
+      const PoseDistance found = nearest_.find(inner);
+      add_distance(move, found, nearest_.move());
+    }
     PoseDistance found = nearest_.find(path_.moves[move].end);
     std::size_t at = nearest_.move();
     if (const std::size_t rapid = find_rapid(move, found); rapid != kNone) {
@@ -155,8 +103,8 @@ class Measurement {
   [[nodiscard]] bool leaves_along_axis(std::size_t move) const {
     const Pose start = start_of(path_, move), &end = path_.moves[move].end;
     const Vec3 way = end.tip - start.tip;
-    return way.dot(start.axis) > 0 && way.cross(start.axis).norm() <= std::max(within_mm_, kAlike_mm) &&
-           height_mm_ * angle_between_rad(start.axis, end.axis) <= std::max(within_mm_, kAlike_mm);
+    return way.dot(start.axis) > 0 && way.cross(start.axis).norm() <= std::max(within_mm_, NearestFeed::kAlike_mm) &&
+           height_mm_ * angle_between_rad(start.axis, end.axis) <= std::max(within_mm_, NearestFeed::kAlike_mm);
   }
 
   void add_distance(std::size_t move, const PoseDistance& found, std::size_t at) {
@@ -188,7 +136,7 @@ class Measurement {
   }
 
   const Toolpath &path_, &other_;
-  Nearest nearest_, nearest_to_middle_;
+  NearestFeed nearest_, nearest_to_middle_;
   RapidPlaces rapids_;
   double height_mm_, within_mm_;
   PathDifference result_;
@@ -219,8 +167,8 @@ MovesLeftOut count_left_out(const Toolpath& path) {
 
 std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other, double height_mm,
                                                  double within_mm) {
-  const std::vector<MotionChord> feeds = chords_of_feeds(other);
-  if (feeds.empty()) return std::nullopt;
+  const FeedsInBlocks feeds(chords_of_feeds(other));
+  if (feeds.all().empty()) return std::nullopt;
   Measurement measurement(path, other, feeds, height_mm, within_mm);
   for (std::size_t i = 0; i < path.moves.size(); ++i)
     if (is_checked_feed(path.moves[i])) measurement.add(i);
@@ -246,17 +194,16 @@ PathRelation inverse(const PathRelation& r) { return {1 / r.factor, -r.shift_mm 
 
 /// Returns whether every tip lies near a feed after a relation. A few tips that are spread over the path come first: a
 /// search of all feeds for every tip would be slow where the relation is wrong.
-bool lie_on(const std::vector<MotionChord>& feeds, const std::vector<Vec3>& tips, const PathRelation& relation,
-            double within_mm) {
+bool lie_on(const FeedsInBlocks& feeds, const std::vector<Vec3>& tips, const PathRelation& relation, double within_mm) {
   constexpr std::size_t kFew = 20;
-  const auto lies_there = [&](Nearest& nearest, const Vec3& tip) {
+  const auto lies_there = [&](NearestFeed& nearest, const Vec3& tip) {
     return nearest.find({relation.factor * tip + relation.shift_mm, Vec3::UnitZ()}).tip_mm <= within_mm;
   };
   const std::size_t step = std::max<std::size_t>(1, tips.size() / kFew);
-  Nearest of_few(feeds, 0);
+  NearestFeed of_few(feeds, 0);
   for (std::size_t i = 0; i < tips.size(); i += step)
     if (!lies_there(of_few, tips[i])) return false;
-  Nearest of_all(feeds, 0);
+  NearestFeed of_all(feeds, 0);
   return std::ranges::all_of(tips, [&](const Vec3& tip) { return lies_there(of_all, tip); });
 }
 
@@ -267,7 +214,7 @@ std::optional<PathRelation> find_relation(const Toolpath& path, const Toolpath& 
   constexpr std::size_t kMinTips = 3;  // a shift relates any two paths of one tip
   const std::vector<Vec3> tips = tips_of(path), other_tips = tips_of(other);
   if (std::min(tips.size(), other_tips.size()) < kMinTips) return std::nullopt;
-  const std::vector<MotionChord> feeds = chords_of_feeds(path), other_feeds = chords_of_feeds(other);
+  const FeedsInBlocks feeds(chords_of_feeds(path)), other_feeds(chords_of_feeds(other));
   const auto relates = [&](const PathRelation& relation) {
     return lie_on(other_feeds, tips, relation, within_mm) && lie_on(feeds, other_tips, inverse(relation), within_mm);
   };

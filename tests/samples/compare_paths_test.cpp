@@ -11,6 +11,10 @@
 namespace gouge::testing_samples::compare_paths_test {
 namespace {
 
+/// The head of a program, and a plunge.
+const std::string kProgramHead =
+    "%\nO1\nG21 G17 G90 G40 G80 G94\nT1 M6\nG54\nG0 X10. Y10.\nG43 H1 Z40.\nG1 Z1. F500.\n";
+
 class ComparePaths : public testing::Test {
  protected:
   [[nodiscard]] Outcome compare(const std::vector<std::string>& more) const {
@@ -108,9 +112,8 @@ TEST_F(ComparePaths, ACutThatBecameARapidIsFoundBetweenFeeds) {
 
 TEST_F(ComparePaths, AProgramWithARapidInPlaceOfAFeedDiffers) {
   shop_.write("a.apt", cut_text("", "RAPID\n"));
-  const std::string head = "%\nO1\nG21 G17 G90 G40 G80 G94\nT1 M6\nG54\nG0 X10. Y10.\nG43 H1 Z40.\nG1 Z1. F500.\n";
-  shop_.write("same.nc", head + "G1 X30. Z0.\nG0 Z40.\nM30\n%\n");
-  shop_.write("other.nc", head + "G0 X30. Z0.\nG0 Z40.\nM30\n%\n");
+  shop_.write("same.nc", kProgramHead + "G1 X30. Z0.\nG0 Z40.\nM30\n%\n");
+  shop_.write("other.nc", kProgramHead + "G0 X30. Z0.\nG0 Z40.\nM30\n%\n");
   const auto ran = [&](const std::string& program) {
     return compare({"a.apt", program, "--control", "haas", "--joint-rapid-law", "joint"});
   };
@@ -154,6 +157,71 @@ TEST_F(ComparePaths, TheFileWithoutFeedsIsNamedWithItsReason) {
   expect_text(ran.err,
               "turned.nc:9: error: holds no feed that is checked, so nothing can be compared; the first reason: ");
   expect_text(ran.err, "expected --joint-point B=X,Y,Z [path-no-motion]\n");
+}
+
+// The ends of both arcs are the same, so only positions within them differ.
+TEST_F(ComparePaths, AnArcOfTheOtherSenseDiffers) {
+  const auto write = [&](const char* name, const std::string& block) {
+    shop_.write(name, kProgramHead + block + "\nG1 Y30.\nG0 Z40.\nM30\n%\n");
+  };
+  write("arc.nc", "G2 X30. Y10. I10. J0.");
+  write("other.nc", "G3 X30. Y10. I10. J0.");
+  write("halves.nc", "G2 X20. Y20. I10. J0.\nG2 X30. Y10. I0. J-10.");
+  write("line.nc", "G1 X30.");
+  const auto status = [&](const char* file) {
+    return compare({"arc.nc", file, "--control", "fanuc", "--joint-rapid-law", "joint"}).exit_status;
+  };
+  EXPECT_EQ(status("arc.nc"), 0);
+  EXPECT_EQ(status("halves.nc"), 0);
+  EXPECT_EQ(status("other.nc"), 1);
+  EXPECT_EQ(status("line.nc"), 1);
+}
+
+TEST_F(ComparePaths, FactsOfNewAloneHaveAPrefix) {
+  shop_.write("f.nc", kProgramHead + "G1 X30. Z0.\nG0 Z40.\nM30\n%\n");
+  shop_.write("h.h",
+              "0 BEGIN PGM T MM\n1 TOOL CALL 1 Z S1000\n2 L X+10 Y+10 R0 FMAX\n3 L Z+40 R0 FMAX\n4 L Z+1 R0 F500\n"
+              "5 L X+30 Z+0 R0 F500\n6 L Z+40 R0 FMAX\n7 M30\n8 END PGM T MM\n");
+  const std::vector<std::string> files = {"f.nc", "h.h", "--control", "fanuc", "--joint-rapid-law", "joint"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = files;
+    all.insert(all.end(), more.begin(), more.end());
+    return compare(all);
+  };
+  EXPECT_EQ(with({"--new-control", "heidenhain"}).exit_status, 0) << with({"--new-control", "heidenhain"}).err;
+  expect_text(with({}).err, "expected --new-control heidenhain");
+  const Outcome wrong = with({"--new-control", "heidenhain", "--new-offset", "G54"});
+  EXPECT_EQ(wrong.exit_status, 2);
+  expect_text(wrong.err, "error: --new-offset 'G54': expected");
+  // A start block of Fanuc is no fact of the Heidenhain program.
+  EXPECT_EQ(with({"--start", "G90", "--new-control", "heidenhain"}).exit_status, 0);
+  EXPECT_EQ(
+      compare({"h.h", "f.nc", "--control", "heidenhain", "--new-control", "haas", "--new-joint-rapid-law", "joint"})
+          .exit_status,
+      0);
+}
+
+TEST_F(ComparePaths, PassesInAnotherOrderDiffer) {
+  const auto write = [&](const char* name, const std::vector<int>& places) {
+    std::string text = "PARTNO/T\nUNITS/MM\n";
+    for (const int y : places) {
+      const std::string at = "," + std::to_string(y) + ",";
+      text += "RAPID\nGOTO/0" + at + "20\nFEDRAT/500,MMPM\nGOTO/0" + at + "0\nGOTO/20" + at + "1\nRAPID\nGOTO/20" + at +
+              "20\n";
+    }
+    shop_.write(name, text + "FINI\n");
+  };
+  write("a.apt", {0, 2, 4});
+  write("b.apt", {0, 4, 2});
+  const Outcome ran = compare({"a.apt", "b.apt", "--json", "c.json"});
+  EXPECT_EQ(ran.exit_status, 1);
+  expect_text(ran.out, "order                             differs from line 13 of OLD and line 13 of NEW on\n");
+  expect_text(ran.out, "differs: the order of positions; no tip or axis differs by more than 0.001 mm\n");
+  EXPECT_EQ(shop_.json("c.json")["order"],
+            nlohmann::json({{"positions", 6}, {"is_same", false}, {"line", 13}, {"nearest_line", 13}}));
+  const Outcome same = compare({"a.apt", "a.apt"});
+  EXPECT_EQ(same.exit_status, 0);
+  expect_text(same.out, "order                             the same at 6 positions that each file reaches once\n");
 }
 
 }  // namespace

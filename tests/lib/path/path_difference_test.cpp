@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "lib/path/motion_chords.h"
 #include "tests/support/paths.h"
 
 namespace gouge::path_difference_test {
@@ -167,6 +169,41 @@ TEST(PathDifference, AWrongPositionOnARetractIsADistance) {
   const auto difference = measure_difference(other, path, kHeight_mm, kWithin_mm);
   EXPECT_EQ(difference->rapids, 0U);
   EXPECT_NEAR(difference->tip_mm, 1, 1e-12);
+}
+
+// The tip rests while the axis turns.
+TEST(PathDifference, NamesATurnThatIsARapid) {
+  const Vec3 tilted = Vec3(0.6, 0, 0.8);
+  const Toolpath path =
+      paths::through({paths::upright(0, 0, 0), paths::upright(10, 0, 0), {{10, 0, 0}, tilted}, {{20, 0, 0}, tilted}});
+  const auto difference = measure_difference(path, with_rapid(path, 2), kHeight_mm, kWithin_mm);
+  EXPECT_EQ(difference->rapids, 1U);
+  EXPECT_EQ(difference->rapid_move, 2U);
+}
+
+TEST(PathDifference, AnAxisWithinATurnAtRestIsOnThePath) {
+  const Vec3 tilted = Vec3(0.6, 0, 0.8);
+  const Toolpath turn = paths::through({paths::upright(0, 0, 0), paths::upright(10, 0, 0), {{10, 0, 0}, tilted}});
+  Toolpath in_two = turn;
+  in_two.moves.insert(in_two.moves.begin() + 2, turn.moves[2]);
+  in_two.moves[2].end.axis = (tilted + Vec3::UnitZ()).normalized();
+  EXPECT_LT(measure_difference(in_two, turn, kHeight_mm, kWithin_mm)->axis_rad, 1e-9);
+}
+
+// A search that leaves out far blocks of feeds finds the same as one of all feeds.
+TEST(PathDifference, FindsTheNearestOfManyFeeds) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 1500; ++i)
+    poses.push_back(paths::upright(40 * std::sin(0.7 * i), 40 * std::cos(1.3 * i), 10 * std::sin(0.01 * i)));
+  const Toolpath other = paths::through(poses);
+  for (const int k : {0, 3, 700, 1400}) {
+    const Pose place = paths::upright(k % 7, k % 11, 20);
+    const auto found = measure_difference(paths::through({place}), other, kHeight_mm, kWithin_mm);
+    double least_mm = 1e9;
+    for (const MotionChord& feed : chords_of_feeds(other))
+      least_mm = std::min(least_mm, distance_from(place, feed).tip_mm);
+    EXPECT_EQ(found->tip_mm, least_mm);
+  }
 }
 
 // A rapid along a feed that the other path has too is no difference.
