@@ -9,6 +9,7 @@
 #include "cli/commands/compare_batches.h"
 #include "cli/commands/compare_paths.h"
 #include "cli/commands/load_result.h"
+#include "cli/commands/reading_of_new.h"
 #include "cli/output/output_file.h"
 #include "cli/output/report_folder.h"
 #include "cli/terminal/length_text.h"
@@ -39,16 +40,19 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
       .add_option("--json", arguments.json_file,
                   "Write the comparison as JSON (- for standard output, without other text)")
       ->type_name("FILE");
-  command.add_flag("--paths", arguments.are_paths,
-                   "OLD and NEW are two readings of a toolpath, such as CL data and the program made of it: show the "
-                   "largest distance of their tips and axes, and the first feed rate that differs");
+  command.add_flag(
+      "--paths", arguments.are_paths,
+      "OLD and NEW are two readings of a toolpath, such as CL data and the program made of it: show the "
+      "largest distance of their tips and axes, feeds that became rapids, another order, and the first feed "
+      "rate that differs");
   add_program_reading(command, arguments, MachineOption::possible);
   add_reading_of_new(command, arguments.of_new);
   add_verbosity(command, arguments, "List the unchanged findings too (not with -q)");
   command.footer(
       "Examples:\n"
       "  gougecheck compare monday/result.json today/result.json --html changes.html\n"
-      "  gougecheck compare night1 night2 --html changes.html    # two batches\n\n"
+      "  gougecheck compare night1 night2 --html changes.html    # two batches\n"
+      "  gougecheck compare --paths part.cls part.nc --machine umc.json\n\n"
       "Two findings are the same if the same motions gouge, with the same tool and body. If the other path does "
       "not have these motions, the statement and the place on the part are compared, or the place alone. A "
       "finding is gone only if the new run checked the motions of this finding, or the moves that replace "

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "cli/commands/reading_of_new.h"
 #include "cli/output/output_file.h"
 #include "lib/base/exit_code.h"
 #include "postproc/compare/path_comparison.h"

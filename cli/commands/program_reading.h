@@ -33,16 +33,6 @@ enum class MachineOption : std::uint8_t { possible, required };
 /// Adds the options under their headings. The heading that is in force stays.
 void add_program_reading(CLI::App& command, ProgramReading& arguments, MachineOption machine);
 
-/// Adds the same options with the prefix --new-, for the new one of two toolpaths, in a group of their own.
-void add_reading_of_new(CLI::App& command, ProgramReading& of_new);
-
-/// Returns the facts of the new toolpath: those of `both`, each replaced where `of_new` states it. If `of_new` states a
-/// machine or a control, the facts of machine and program in `both` are those of the old toolpath alone.
-[[nodiscard]] ProgramReading reading_of_new(const ProgramReading& both, const ProgramReading& of_new);
-
-/// Returns an error about the new toolpath with the options of add_reading_of_new in its message.
-[[nodiscard]] Diagnostic with_options_of_new(Diagnostic error);
-
 /// Reads toolpaths as the options of a command state.
 class ToolpathReader {
  public:

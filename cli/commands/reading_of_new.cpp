@@ -1,3 +1,5 @@
+#include "cli/commands/reading_of_new.h"
+
 #include <CLI/CLI.hpp>
 #include <cctype>
 #include <deque>
@@ -6,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "cli/commands/program_reading.h"
 #include "cli/options/joint_options.h"
 
 namespace gouge {
@@ -16,24 +17,26 @@ constexpr const char* kGroup = "NEW alone (--paths)";
 constexpr const char* kPrefix = "--new-";
 
 using Member = std::pair<const char*, std::string ProgramReading::*>;
-constexpr Member kMembers[] = {{"tool-length", &ProgramReading::tool_length},
-                               {"tip-tolerance", &ProgramReading::tip_tolerance},
-                               {"axis-tolerance", &ProgramReading::axis_tolerance}};
+constexpr Member kMembers[] = {{"--tool-length", &ProgramReading::tool_length},
+                               {"--tip-tolerance", &ProgramReading::tip_tolerance},
+                               {"--axis-tolerance", &ProgramReading::axis_tolerance}};
 
 using MachineMember = std::pair<const char*, std::string StatedMachine::*>;
-constexpr MachineMember kMachineMembers[] = {{"machine", &StatedMachine::machine},
-                                             {"joint-rapid-law", &StatedMachine::joint_rapid_law},
-                                             {"zero", &StatedMachine::zero}};
+constexpr MachineMember kMachineMembers[] = {{"--machine", &StatedMachine::machine},
+                                             {"--joint-rapid-law", &StatedMachine::joint_rapid_law},
+                                             {"--zero", &StatedMachine::zero}};
 
-std::string help_of(const std::string& key) { return "As --" + key + ", for NEW alone"; }
+std::string name_for_new(const std::string& name) { return kPrefix + name.substr(name.find_first_not_of('-')); }
+
+std::string help_of(const std::string& name) { return "As " + name + ", for NEW alone"; }
 
 /// Returns the rows with the prefix. The names must outlive them.
 template <class Arguments>
 OptionRows<Arguments> with_prefix(OptionRows<Arguments> rows, std::deque<std::string>& names) {
   for (OptionRow<Arguments>& row : rows) {
-    const std::string key = row.key();
-    row.name = names.emplace_back(kPrefix + key).c_str();
-    row.help = help_of(key);
+    const std::string name = row.name;
+    row.name = names.emplace_back(name_for_new(name)).c_str();
+    row.help = help_of(name);
     row.group = kGroup;
   }
   return rows;
@@ -58,12 +61,12 @@ void add_reading_of_new(CLI::App& command, ProgramReading& of_new) {
   static const OptionRows<StatedJoints> joints = with_prefix(joint_options(), names);
   static const OptionRows<ReadingArguments> reading = with_prefix(reading_options(), names);
   const std::string usual_group = command.option_defaults()->get_group();
-  const auto add = [&](const std::string& key, std::string& text) {
-    const std::string type = command.get_option("--" + key)->get_type_name();
-    command.add_option(kPrefix + key, text, help_of(key))->type_name(type)->group(kGroup);
+  const auto add = [&](const std::string& name, std::string& text) {
+    const std::string type = command.get_option(name)->get_type_name();
+    command.add_option(name_for_new(name), text, help_of(name))->type_name(type)->group(kGroup);
   };
-  for (const auto& [key, member] : kMachineMembers) add(key, of_new.stated.*member);
-  for (const auto& [key, member] : kMembers) add(key, of_new.*member);
+  for (const auto& [name, member] : kMachineMembers) add(name, of_new.stated.*member);
+  for (const auto& [name, member] : kMembers) add(name, of_new.*member);
   add_options(command, of_new.stated.joints, joints);
   add_options(command, of_new.reading, reading);
   command.option_defaults()->group(usual_group);
@@ -79,9 +82,9 @@ ProgramReading reading_of_new(const ProgramReading& both, const ProgramReading& 
       facts.reading.*member = both.reading.*member;
     facts.reading.harmless_words = both.reading.harmless_words;
   }
-  for (const auto& [key, member] : kMachineMembers)
+  for (const auto& [name, member] : kMachineMembers)
     if (!(of_new.stated.*member).empty()) facts.stated.*member = of_new.stated.*member;
-  for (const auto& [key, member] : kMembers)
+  for (const auto& [name, member] : kMembers)
     if (!(of_new.*member).empty()) facts.*member = of_new.*member;
   replace(facts.stated.joints, of_new.stated.joints, joint_options());
   replace(facts.reading, of_new.reading, reading_options());

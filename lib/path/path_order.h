@@ -19,7 +19,8 @@ struct PathOrder {
 /// Compares the order of checked feeds. Positions nearer than `within_mm` are equal. It counts only the ends of feeds that have
 /// one end of a feed of each path near. Where the order of two such positions differs, no other feed of a path may pass
 /// them either. So a path that crosses itself, or repeats a pass, has no other order for that.
-/// Cost     A sort of the moves, and a pass over them for each position at which the orders differ, at most 1000.
+/// Where this is so at 1000 places, nothing is known: no position counts.
+/// Cost     A sort of the moves, and passes over them for each place at which the orders differ.
 [[nodiscard]] PathOrder compare_order(const Toolpath& path, const Toolpath& other, double within_mm);
 
 }  // namespace gouge
