@@ -22,13 +22,19 @@ bool faces_outwards(const BoundaryElement& e) {
   return std::min(out * (e.a - e.center).x(), out * (e.b - e.center).x()) >= -Tolerance::kExactDirection * e.radius_mm;
 }
 
-Box2 feet_of(const FootCell& cell) {
+/// Returns a box that contains the points of a cell that are at most `depth_mm` deep.
+Box2 box_of(const FootCell& cell, double depth_mm) {
+  const double t = std::min(depth_mm, cell.longest_ray_mm());
   Box2 box;
-  for (const double s : {cell.from, cell.middle(), cell.to}) box.extend(cell.at(s, 0));
-  if (cell.is_straight()) return box;
-  // The distance of an arc from the chords between the three points is less than its length.
-  const double length = cell.width_mm(0);
-  return Box2(Vec2(box.min().array() - length), Vec2(box.max().array() + length));
+  for (const double s : {cell.from, cell.middle(), cell.to}) {
+    box.extend(cell.at(s, 0));
+    box.extend(cell.at(s, t));
+  }
+  // Distance of an arc from the two chords between these points.
+  const double widest = std::max(std::abs(cell.radius_mm), std::abs(cell.radius_mm + cell.side * t));
+  const double out = cell.is_straight() ? 0 : widest * (1 - std::cos(0.25 * (cell.to - cell.from)));
+  const double margin = out + Tolerance::kRounding_mm;
+  return Box2(Vec2(box.min().array() - margin), Vec2(box.max().array() + margin));
 }
 
 }  // namespace
@@ -64,7 +70,7 @@ void InscribedBalls::cover(const CompiledTool& tool, const FootCell& cell) {
   const bool has_ball =
       ball.radius_mm > 0 && cell.farthest_mm(ball.center, ball.radius_mm) <= ball.radius_mm + slack_mm_;
   if (has_ball || cell.width_mm(0) <= slack_mm_ || stretches_.size() >= kMaxStretches) {
-    stretches_.push_back({feet_of(cell), has_ball ? ball.radius_mm : 0});
+    stretches_.push_back({cell, has_ball ? ball.radius_mm : 0});
     return;
   }
   FootCell half = cell;
@@ -81,11 +87,9 @@ std::vector<Box2> InscribedBalls::sharp_zones(double depth_mm) const {
   for (const Stretch& stretch : stretches_) {
     const bool is_sharp = stretch.radius_mm < depth_mm;
     if (is_sharp && !is_open) zones.emplace_back();
-    if (is_sharp) zones.back().extend(stretch.feet);
+    if (is_sharp) zones.back().extend(box_of(stretch.cell, depth_mm));
     is_open = is_sharp;
   }
-  // A point less deep than `depth_mm` is at most `depth_mm` from its foot.
-  for (Box2& zone : zones) zone = Box2(Vec2(zone.min().array() - depth_mm), Vec2(zone.max().array() + depth_mm));
   return zones;
 }
 

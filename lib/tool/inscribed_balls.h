@@ -43,8 +43,8 @@ class InscribedBalls {
 
  private:
   struct Stretch {
-    Box2 feet;
-    double radius_mm = 0;  // of a ball that contains all feet of the stretch, up to the slack; 0: none
+    FootCell cell;
+    double radius_mm = 0;  // of a ball that contains all feet of the cell, up to the slack; 0: none
   };
   void cover(const CompiledTool& tool, const FootCell& cell);
 
