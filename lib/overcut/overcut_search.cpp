@@ -8,6 +8,7 @@
 #include "lib/base/best_first_search.h"
 #include "lib/base/tolerance.h"
 #include "lib/check/overcut_gap.h"
+#include "lib/geom/point_triangle.h"
 #include "lib/hierarchy/lane_bound.h"
 #include "lib/overcut/ceiling.h"
 #include "lib/overcut/cell_program.h"
@@ -284,8 +285,11 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
 
   /// Keeps the point if it is deeper in the part than any point so far. The point must be in the tool at t.
   bool take(const Vec3& point, double t) {
-    const ClosestPoint foot = *part_.closest_point(point);
+    const double nearest2 = closest_on_triangle(point, part_.tree().corners(near_)).distance2_mm2;
+    if (nearest2 <= best_.depth_mm * best_.depth_mm) return false;
+    const ClosestPoint foot = part_.closest_point_from(point, near_);
     if (foot.distance_mm <= best_.depth_mm || !foot.is_inside) return false;
+    near_ = foot.triangle;
     best_.depth_mm = foot.distance_mm;
     best_.point = point;
     best_.t = t;
@@ -330,6 +334,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   Overcut best_;
   Vec3 deeper_ = -Vec3::UnitZ();
+  std::uint32_t near_ = 0;  // the triangle closest to the best point
   std::size_t looked_ = 0;
 
   friend class BestFirstSearch<OvercutSearch, Cell>;
