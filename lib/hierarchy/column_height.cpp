@@ -25,7 +25,11 @@ class Climb {
     axes_[1] = column.direction.unitOrthogonal();
     axes_[2] = column.direction.cross(axes_[1]);
     height_ = axes_[0].dot(through_);
-    beside_ = {axes_[1].dot(through_), axes_[2].dot(through_)};
+    least_[0] = {0, single(-height_ - column.high_mm)};
+    for (std::size_t k = 1; k < 3; ++k) {
+      const double at = axes_[k].dot(through_);
+      least_[k] = {single(at - column.radius_mm), single(-at - column.radius_mm)};
+    }
   }
 
   std::optional<double> run() {
@@ -55,16 +59,9 @@ class Climb {
 
   /// Returns true as soon as a triangle is higher than the maximum.
   [[nodiscard]] bool visit(const TriangleBlock& leaf) {
-    // Most triangles are beside the column or lower than the greatest known height.
-    const detail::LeafExtent extent = detail::extent_of(leaf, axes_);
-    const auto is_out = [&](std::size_t k, std::size_t lane, double low, double high) {
-      return at(extent.high[k][lane]) + off_mm_ < low || -at(extent.low[k][lane]) - off_mm_ > high;
-    };
-    for (std::uint32_t i = 0; i < leaf.count; ++i) {
-      if (is_out(0, i, height_ + highest_, height_ + column_.high_mm)) continue;
-      if (is_out(1, i, beside_[0] - column_.radius_mm, beside_[0] + column_.radius_mm)) continue;
-      if (is_out(2, i, beside_[1] - column_.radius_mm, beside_[1] + column_.radius_mm)) continue;
-      const std::uint32_t triangle = leaf.triangle[i];
+    MaskedLanes lanes(near_lanes(leaf));
+    while (const auto i = lanes.next()) {
+      const std::uint32_t triangle = leaf.triangle[*i];
       const double height = height_of(tree_.corners(triangle));
       if (height > max_) return true;
       highest_ = std::max(highest_, height);
@@ -73,6 +70,23 @@ class Climb {
   }
 
  private:
+  /// Returns the triangles that are not beside the column, and are not lower than the greatest known height. Most are.
+  [[nodiscard]] std::uint32_t near_lanes(const TriangleBlock& leaf) const {
+    const detail::LeafExtent extent = detail::extent_of(leaf, axes_);
+    std::array<std::uint8_t, kBlockLanes> is_near;
+    is_near.fill(1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float high = k == 0 ? single(height_ + highest_) : least_[k].high, low = least_[k].low;
+      for (std::size_t i = 0; i < kBlockLanes; ++i) {
+        is_near[i] = static_cast<std::uint8_t>(is_near[i] & static_cast<std::uint8_t>(extent.high[k][i] >= high) &
+                                               static_cast<std::uint8_t>(extent.low[k][i] >= low));
+      }
+    }
+    std::uint32_t mask = 0;
+    for (std::uint32_t i = 0; i < leaf.count; ++i) mask |= static_cast<std::uint32_t>(is_near[i]) << i;
+    return mask;
+  }
+
   /// Returns whether to enter a lane. A lane that ends at or below the cutoff is not entered: its bound is taken as the
   /// height.
   [[nodiscard]] bool may_be_higher(const LaneBound& lane) {
@@ -140,15 +154,21 @@ class Climb {
     return false;
   }
 
-  static double at(float value) { return static_cast<double>(value); }
+  /// Returns a limit of an extent in single precision, low enough for all rounding.
+  [[nodiscard]] float single(double limit) const {
+    return static_cast<float>(limit - off_mm_ - Tolerance::kSingleRounding * std::abs(limit));
+  }
 
   const BlockTree& tree_;
   const Column& column_;
   Vec3 through_;
   double enough_, max_, highest_;
-  std::array<Vec3, 3> axes_;      // the direction of the column, and two directions across it
-  double height_ = 0;             // height of the column's point along the first axis, in the tree's frame
-  std::array<double, 2> beside_;  // positions of the column's point along the other two
+  std::array<Vec3, 3> axes_;  // the direction of the column, and two directions across it
+  double height_ = 0;         // height of the column's point along the first axis, in the tree's frame
+  struct Least {
+    float high = 0, low = 0;
+  };
+  std::array<Least, 3> least_;  // minimum extents, along the axes and against them, of a triangle that is not beside
   // The error of single precision is less than eight units of the largest coordinate in the tree's frame.
   double off_mm_ = 8 * tree_.rounding_mm + Tolerance::kRounding_mm;
 };
