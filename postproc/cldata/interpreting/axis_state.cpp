@@ -111,7 +111,7 @@ const char* AxisState::two_readings(std::size_t numbers) const {
   if (in_.statement().has_axes || in_.dialect.is_axis_modal) return nullptr;
   if (may_have_normals()) return Reasons::kNineNumbers;
   if (numbers != 6) return nullptr;
-  return needs_multax() || has_lists_ ? Reasons::kSixNumbers : nullptr;
+  return needs_multax() || (has_lists_ && !multax_) ? Reasons::kSixNumbers : nullptr;
 }
 
 // Returns whether the numbers may be a position, its axis and the normal of the surface, instead of three positions.

@@ -31,6 +31,8 @@ class NccsCorrector {
   [[nodiscard]] std::optional<Diagnostic> find_broken_arc() const;
   [[nodiscard]] bool needs_own_circle(std::size_t move) const;
   [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
+  [[nodiscard]] static bool is_implied(const MotionRecord& record, const Vec3& axis);
+  void note_axis(const MotionRecord& record, const Vec3& axis);
   [[nodiscard]] bool is_split(std::size_t first, std::size_t last, const NccsHeader& header) const;
   [[nodiscard]] Pose local_end(std::size_t move) const;
   [[nodiscard]] std::string numbers(const MotionRecord& record, const Pose& local, bool with_axis) const;
@@ -52,6 +54,7 @@ class NccsCorrector {
   ChangeTable changes_;
   std::vector<std::size_t> dropped_;  // statements of circles whose arcs become straight, in order
   std::size_t next_dropped_ = 0;      // index of the next of these that was not yet passed
+  bool has_new_tilt_ = false;         // the last written axis is tilted, and three numbers after it would be uncertain
   std::string words_;
 };
 
@@ -96,7 +99,18 @@ bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
     if (changes_.has_new_end(i) || changes_.has_insertion(i) || changes_.is_straightened(i) || needs_own_circle(i))
       return true;
   }
+  if (has_new_tilt_ && records_[first].form == PositionForm::go_to && records_[first].numbers == 3) return true;
   return records_[first].form == PositionForm::godlta && first > 0 && changes_.has_new_end(first - 1);
+}
+
+bool NccsCorrector::is_implied(const MotionRecord& record, const Vec3& axis) {
+  return (axis - record.implied_axis_local).cwiseAbs().maxCoeff() <= kSameNccsAxis;
+}
+
+// Notes the axis of a position that was written with one. After an axis that was tilted in the file too, three numbers
+// stay uncertain.
+void NccsCorrector::note_axis(const MotionRecord& record, const Vec3& axis) {
+  has_new_tilt_ = !is_implied(record, axis) && is_implied(record, record.axis_local);
 }
 
 std::string NccsCorrector::numbers(const MotionRecord& record, const Pose& local, bool with_axis) const {
@@ -126,16 +140,17 @@ void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16
   words_ += words;
 }
 
-// Adds a position. Without MULTAX a position with an axis would be two positions, so MULTAX is switched on for this
-// one.
+// Adds a position, with its axis if three numbers have, or may have, another one. Without MULTAX a position with an axis
+// would be two positions, so MULTAX is switched on for this one.
 void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence) {
-  const bool is_new_axis = (local.axis - record.implied_axis_local).cwiseAbs().maxCoeff() > kSameNccsAxis;
-  const bool has_axis = record.numbers == 6 || (record.numbers == 0 && !record.is_multax_off) || is_new_axis;
+  const bool is_uncertain = !is_implied(record, local.axis) || has_new_tilt_;
+  const bool has_axis = record.numbers == 6 || (record.numbers == 0 && !record.is_multax_off) || is_uncertain;
   const bool is_expanded = source_.header(first_word_of(record.statement)).klass == NccsClass::kExpanded;
   const bool is_switched = record.is_multax_off && has_axis && (record.numbers != 6 || is_expanded);
   if (is_switched) add(NccsClass::kMode, NccsSubclass::kMultaxOn, sequence, {});
   add(NccsClass::kMotion, NccsSubclass::kPoints, sequence, numbers(record, local, has_axis));
   if (is_switched) add(NccsClass::kMode, NccsSubclass::kMultaxOff, sequence, {});
+  if (has_axis) note_axis(record, local.axis);
 }
 
 void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
@@ -160,13 +175,13 @@ void NccsCorrector::copy_point(std::size_t move, const NccsHeader& header) {
   words_ += nccs_word(
       NccsHeader{static_cast<std::uint16_t>(1 + count), header.klass, NccsSubclass::kPoints, header.sequence});
   copy(begin, begin + count);
+  if (record.numbers != 3) note_axis(record, record.axis_local);
 }
 
 bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHeader& header) const {
   if (records_[first].form == PositionForm::godlta || header.klass == NccsClass::kExpanded) return true;
   for (std::size_t i = first; i < last; ++i) {
-    const bool is_new_axis = records_[i].numbers == 3 &&
-                             (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameNccsAxis;
+    const bool is_new_axis = records_[i].numbers == 3 && (has_new_tilt_ || !is_implied(records_[i], local_end(i).axis));
     if (is_new_axis || changes_.has_insertion(i) || changes_.is_straightened(i) || needs_own_circle(i)) return true;
   }
   return false;
@@ -180,7 +195,8 @@ void NccsCorrector::split(std::size_t first, std::size_t last, const NccsHeader&
       copy(circle, circle + source_.header(circle).words);
     }
     const bool is_stale = header.klass == NccsClass::kExpanded && changes_.has_insertion(i);
-    if (records_[i].form == PositionForm::go_to && !changes_.has_new_end(i) && !is_stale) {
+    const bool is_uncertain = has_new_tilt_ && records_[i].numbers == 3;
+    if (records_[i].form == PositionForm::go_to && !changes_.has_new_end(i) && !is_stale && !is_uncertain) {
       copy_point(i, header);
     } else {
       add_position(records_[i], local_end(i), header.sequence);
@@ -200,6 +216,7 @@ void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeade
       copy(from, from + records_[i].numbers);
     }
   }
+  if (records_[first].numbers != 3) note_axis(records_[last - 1], local_end(last - 1).axis);
 }
 
 // Returns all records in blocks. The zeros that fill the last block are read as damage unless they follow FINI.
@@ -233,7 +250,10 @@ Result<Edits> NccsCorrector::edits() {
       return make_error("write-arc", "a hole is a step from a position that changes; keep that position", path_.file,
                         path_.moves[first].line);
     }
-    if (!needs_rewriting(first, last)) continue;
+    if (!needs_rewriting(first, last)) {
+      if (records_[first].numbers == 6) has_new_tilt_ = false;
+      continue;
+    }
     const std::size_t word = first_word_of(records_[first].statement);
     const NccsHeader header = source_.header(word);
     copy_source(copied, word);

@@ -14,6 +14,10 @@
 namespace gouge {
 namespace {
 
+/// The axis of a position of three numbers after an axis that was written: the implied one, the one written last, or
+/// none that the file states.
+enum class PlainAxis { implied, last, uncertain };
+
 class CorrectedWriter {
  public:
   CorrectedWriter(const Toolpath& path, const MotionRecords& records, const std::vector<PathChange>& changes)
@@ -22,9 +26,8 @@ class CorrectedWriter {
         records_(read_.of_move),
         goto_text_(path, read_),
         arc_text_(path, read_),
-        is_axis_modal_(dialect_or_apt(path.dialect).is_axis_modal),
-        is_axis_left_(!dialect_or_apt(path.dialect).has_known_plain_axis),
-        has_no_axes_(!is_axis_modal_ &&
+        dialect_(dialect_or_apt(path.dialect)),
+        has_no_axes_(!dialect_.is_axis_modal &&
                      std::ranges::none_of(records_, [](const MotionRecord& r) { return r.numbers == 6; })),
         changes_(path.moves.size(), changes),
         replaced_(path) {
@@ -53,12 +56,11 @@ class CorrectedWriter {
   // Returns whether the axis is written. A curve has no numbers of its own as a model, so it follows the previous
   // position.
   [[nodiscard]] bool is_axis_kept(const MotionRecord& record) const {
-    return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !is_axis_modal_);
+    return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !dialect_.is_axis_modal);
   }
+  [[nodiscard]] PlainAxis plain_axis(const MotionRecord& record) const;
   // Returns whether a position without an axis is, or may be, read with the last written axis.
-  [[nodiscard]] bool keeps_axis(const MotionRecord& record) const {
-    return is_axis_modal_ || (is_axis_left_ && (record.is_multax_off || has_no_axes_));
-  }
+  [[nodiscard]] bool keeps_axis(const MotionRecord& record) const { return plain_axis(record) != PlainAxis::implied; }
   [[nodiscard]] std::string rapid_line(const MotionRecord& record) const;
   [[nodiscard]] std::string insertions(std::size_t move);
   [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
@@ -70,9 +72,8 @@ class CorrectedWriter {
   const std::vector<MotionRecord>& records_;  // the records in read_
   GotoText goto_text_;
   ArcText arc_text_;
-  bool is_axis_modal_;
-  bool is_axis_left_;  // after MULTAX/OFF a position without axis has, or may have, that of the previous one
-  bool has_no_axes_;   // no position of the file has an axis, and none keeps that of another
+  Dialect dialect_;
+  bool has_no_axes_;  // no position of the file has an axis, and none keeps that of another
   ChangeTable changes_;
   ReplacedStatements replaced_;
   // description of the arcs of the move being written; nothing: they are straight
@@ -181,8 +182,18 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
       record.form == PositionForm::godlta || (record.form == PositionForm::cycle && record.numbers == 0);
   if (is_step) return first > 0 && changes_.has_new_end(first - 1);
   if (record.form == PositionForm::unread) return false;
+  if (path_.moves[first].not_checked_reason == Reasons::kPlainAxis) return false;  // uncertain in the file too
   const bool relies_on_axis = keeps_axis(record) && (record.numbers == 3 || record.form == PositionForm::curve);
   return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
+}
+
+// Returns the axis that the reader gives to a position of three numbers here. A position with an axis that was written
+// into a file without axes, or under MULTAX/OFF, leaves MULTAX/OFF behind it.
+PlainAxis CorrectedWriter::plain_axis(const MotionRecord& record) const {
+  const bool is_off = record.is_multax_off || has_no_axes_;
+  if (dialect_.is_axis_modal) return PlainAxis::last;
+  if (dialect_.has_known_plain_axis && (is_off || !dialect_.has_axes_under_multax)) return PlainAxis::implied;
+  return dialect_.locks_axis && is_off ? PlainAxis::last : PlainAxis::uncertain;
 }
 
 // Returns the position to write for `local`, and sets the axis that it leaves in force. The axis is omitted if 3
@@ -190,8 +201,10 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
 WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose& local, bool is_axis_kept) {
   WrittenPosition position;
   position.tip = local.tip / record.frame->mm_per_unit;
-  const Vec3& implied = keeps_axis(record) ? axis_written_ : record.implied_axis_local;
-  if (is_axis_kept || !goto_text_.is_same_axis(local.axis, implied)) position.axis = local.axis;
+  const PlainAxis plain = plain_axis(record);
+  const bool is_last = plain == PlainAxis::implied || goto_text_.is_same_axis(local.axis, axis_written_);
+  const bool is_implied = plain == PlainAxis::last || goto_text_.is_same_axis(local.axis, record.implied_axis_local);
+  if (is_axis_kept || !is_last || !is_implied) position.axis = local.axis;
   axis_written_ = local.axis;
   return position;
 }
@@ -240,6 +253,7 @@ std::string CorrectedWriter::insertions(std::size_t move) {
 
 std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
   const MotionRecord& record = records_[first];
+  const Vec3 axis_before = axis_written_;
   const std::string text = changes_.has_new_arc(first) ? std::string() : insertions(first);
   std::vector<std::optional<WrittenPosition>> positions(last - first);
   bool has_new_axis = false;
@@ -248,7 +262,10 @@ std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
     has_new_axis = has_new_axis || (record.numbers == 3 && position.axis);
     positions[i - first] = position;
   }
-  if (has_new_axis && record.points > 1) return one_by_one(first, last);
+  if (has_new_axis && record.points > 1) {
+    axis_written_ = axis_before;
+    return one_by_one(first, last);
+  }
   return text + framed(record, *positions[0], goto_text_.replaced(record.statement, record.numbers, positions));
 }
 
