@@ -13,6 +13,10 @@ namespace {
 
 using Targets = std::vector<SearchTarget>;
 
+// Share of the resolution by which the cutter may be less deep than a body of its radius and still be named.
+constexpr double kTieShare = 0.1;
+constexpr std::uint64_t kTieBudget = 20'000;  // number of bounds to find such a point of the cutter
+
 /// Returns one target for each obstacle, which is compared with the tool form `form_of(rule)`.
 template <typename FormOf>
 Targets targets_of(const ToolVariants& tool, const PreparedScene& scene, const FormOf& form_of) {
@@ -96,6 +100,7 @@ class MoveChecker {
     if (!is_deep && verdict_.depth_upper_mm > options_.tolerance_mm + options_.resolution_mm) is_decided_ = false;
     if (is_deep) {
       verdict_.state = MoveState::gouge;
+      name_cutter(depth);
     } else {
       for (std::size_t k = 0; k < limits_.size() && verdict_.state != MoveState::gouge; ++k) check_limit(k, depth);
     }
@@ -139,6 +144,31 @@ class MoveChecker {
     verdict_.reason = {};
     if (target.reach_mm > 0)
       verdict_.reason = {Reason::Kind::mesh_clearance_entered, verdict_.witness->body, verdict_.depth_mm};
+  }
+
+  // Names the cutter where it is as deep as a shank of its radius at the same instant, for example beside a wall. The
+  // depth stays within its bounds.
+  void name_cutter(const SearchResult& outcome) {
+    if (!verdict_.witness || verdict_.witness->body == Body::cutter) return;
+    const SearchTarget target = whole()[outcome.at.target];
+    const double tie = kTieShare * options_.resolution_mm;
+    const ToolPoint above = locate(outcome);
+    const BoundaryElement& element = target.tool->elements[evaluate(*target.tool, above.r, above.z).element];
+    if (target.reach_mm > 0 || std::abs(element.a.x() - tool_.cutting.r_max_mm) > tie) return;
+    const double upper_allows = verdict_.depth_upper_mm - query(options_, 0, 0).gap_mm;
+    const double least = std::max(verdict_.depth_mm - tie, std::min(verdict_.depth_mm, upper_allows));
+    const SearchTarget cutter{&tool_.cutting, target.tree, target.against, 0, target.first_mesh};
+    SearchResult found =
+        sweep_and_search(MotionLaw::tool_at(above.pose), {cutter}, {{least - tie, tie, tie, kTieBudget}, 0});
+    bounds_ += found.bounds;
+    if (!found.has_witness) return;
+    found.t = outcome.t;
+    const ToolPoint position = locate(found);
+    const ToolDistance at = evaluate(*target.tool, position.r, position.z);
+    if (target.tool->elements[at.element].body != Body::cutter || -at.signed_distance_mm < least) return;
+    verdict_.depth_mm = -at.signed_distance_mm;
+    verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, verdict_.depth_mm);
+    verdict_.witness = witness(found, target, position, at);
   }
 
   /// A surface point, in the coordinates of the tool at a pose.

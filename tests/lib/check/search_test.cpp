@@ -227,6 +227,31 @@ TEST(Search, NearMissShowsTheClosestApproachOfTheHolder) {
   EXPECT_EQ(v.depth_mm, 0);
 }
 
+// Beside a wall, cutter and shank of one diameter are equally deep, and the corners of the wall lie beside the shank. The
+// cutter makes the surface, so it is named, with a witness of its own.
+TEST(Search, OfBodiesThatAreEquallyDeepTheCutterIsNamed) {
+  const std::vector<IndexedMesh> wall = {shapes::box(Vec3(4, -50, -10), Vec3(40, 50, 45))};
+  const Motion motion = test::straight(upright(0, -5, 0), upright(0, 5, 0));
+  for (const ToolVariants& tool : {tools::flat(), tools::ball(), tools::bull(10, 2)}) {
+    const MoveVerdict v = check(motion, tool, wall);
+    ASSERT_EQ(v.state, MoveState::gouge);
+    EXPECT_EQ(v.witness->body, Body::cutter);
+    EXPECT_NEAR(v.depth_mm, 1, 1e-6);
+    expect_guarantee(v, motion, tool, kOptions);
+  }
+}
+
+// A shank that is deeper is named, and so is a shank of the same diameter where the cutter is free.
+TEST(Search, ADeeperShankIsNamedBeforeTheCutter) {
+  const IndexedMesh wall = shapes::box(Vec3(4, -50, -10), Vec3(40, 50, 45));
+  const Motion motion = test::straight(upright(0, -5, 0), upright(0, 5, 0));
+  const MoveVerdict wider = check(motion, tools::variants(tools::assembly(FlatCutter{10, 30}, 10.01)), {wall});
+  EXPECT_EQ(wider.witness->body, Body::shank);
+  EXPECT_NEAR(wider.depth_mm, 1.005, 1e-6);
+  const IndexedMesh above = shapes::box(Vec3(4, -50, 35), Vec3(40, 50, 45));
+  EXPECT_EQ(check(motion, tools::flat(), {above}).witness->body, Body::shank);
+}
+
 ToolVariants narrowing_below_its_holder() {
   ToolAssembly tool = tools::assembly(TaperedCutter{10.8, 5.4, 4.8, 13});
   tool.shank = {{14, 10.8, 7}};
