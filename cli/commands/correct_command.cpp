@@ -153,13 +153,24 @@ void add_axes_outside(const Toolpath& path, const std::optional<AxisCone>& cone,
       path.file, path.moves[outside.first_move].line));
 }
 
+/// Returns how the moves of a run that is not tilted were changed instead.
+const char* done_instead(const NotTilted& run, const std::vector<ChangeRecord>& records) {
+  bool is_lifted = false, is_shifted = false;
+  for (const ChangeRecord& r : records) {
+    if (r.move < run.first || r.move > run.last) continue;
+    (r.strategy == Strategy::axis ? is_lifted : is_shifted) = true;
+  }
+  return !is_shifted ? "lifted" : is_lifted ? "shifted with the cutter or lifted" : "shifted with the cutter";
+}
+
 /// Adds a note for each run that is not tilted. The first one is a warning, because the correction is not the one
 /// requested.
-void add_not_tilted(const Toolpath& path, const std::vector<NotTilted>& runs, Diagnostics& notes) {
+void add_not_tilted(const Toolpath& path, const Correction& correction, Diagnostics& notes) {
+  const std::vector<NotTilted>& runs = correction.not_tilted;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::size_t first = path.moves[runs[k].first].line, last = path.moves[runs[k].last].line;
-    std::string message =
-        "lifted where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
+    std::string message = std::string(done_instead(runs[k], correction.records)) +
+                          " where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
     if (k == 0 && runs.size() > 1) message += "; and " + count_text(runs.size() - 1, "more run") + " (-v)";
     notes.push_back((k == 0 ? make_warning : make_note)("not-tilted", message, path.file, first));
   }
@@ -196,7 +207,7 @@ ReportParts parts_of(const CorrectArguments& arguments, const CorrectOptions& op
   parts.correction->axes = measure_axes(before.path, correction.changes, corrected.after.path, limit);
   parts.more_options = recorded_options(arguments, correct_options());
   add_axes_outside(before.path, options.tilt.cone, parts.notes);
-  add_not_tilted(before.path, correction.not_tilted, parts.notes);
+  add_not_tilted(before.path, correction, parts.notes);
   add_left_stock(before.path, *parts.correction, parts.notes);
   return parts;
 }

@@ -45,7 +45,7 @@ bool is_bad(const MoveVerdict& verdict) {
 
 /// Returns every move that is bad at the end, with its known reason or the usual one.
 std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult& before, const Correction& correction,
-                                        const CheckResult& after) {
+                                        const CheckResult& after, double max_shift_mm) {
   std::vector<const Uncorrected*> known(path.moves.size(), nullptr);
   for (const Uncorrected& left : correction.uncorrected) known[left.move] = &left;
   std::vector<bool> is_changed(path.moves.size(), false);
@@ -64,7 +64,8 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
     }
     if (worst == nullptr) continue;
     const double depth = is_changed[i] || !is_bad(before.verdicts[i]) ? worst->depth_mm : before.verdicts[i].depth_mm;
-    const std::string reason = known[i] != nullptr ? known[i]->reason : usual_reason(path.moves[i], *worst);
+    const std::string reason =
+        known[i] != nullptr ? known[i]->reason : usual_reason(path.moves[i], *worst, max_shift_mm);
     remaining.push_back({i, path.moves[i].line, worst->state == MoveState::gouge ? depth : 0, reason, is_changed[i]});
   }
   return remaining;
@@ -212,7 +213,7 @@ class LawfulSearch {
 
   [[nodiscard]] LawfulCorrection finish(Correction correction, ChangedPath after) const {
     const CheckResult& before = stock_ ? stock_->before() : result_;
-    correction.uncorrected = list_remaining(path_, before, correction, after.result);
+    correction.uncorrected = list_remaining(path_, before, correction, after.result, correct_.max_shift_mm);
     for (ChangeRecord& record : correction.records) {
       if (record.cause != kNone && !is_bad(before.verdicts[record.cause])) record.cause = kNone;
     }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/certify/check_shift.h"
 
@@ -123,17 +125,71 @@ std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const
 
 namespace {
 
-constexpr const char* kTooFar = "no way out within the largest shift";
-constexpr const char* kSideways =
-    "the way out leads sideways, away from the programmed cut, by more than --max-side-shift allows";
 constexpr const char* kThrough = "the way out leads through the surface: on it the tool is deeper than at its start";
 constexpr const char* kIntoSolid = "the way out leads into the solid: there the tool is buried";
 constexpr const char* kOpenWay = "whether the way out leads into the solid is not certain";
-constexpr const char* kHeadStays =
-    "the head is in the way: no lift along the tool axis within the largest shift frees it; it takes another tilt or a "
-    "longer tool";
-constexpr const char* kStockStays =
-    "remaining stock is in the way: no lift along the tool axis within the largest shift frees the tool";
+constexpr double kLongerLifts = 10;  // longest lift that a reason may name, in maximum shifts
+
+/// Returns `value` in mm, rounded up to 0.001 mm.
+std::string rounded_up(double value) { return display_text(std::ceil(value * 1e3) / 1e3, 3) + " mm"; }
+
+std::string why_aside(double side_mm, const std::optional<double>& given_mm, double limit_mm) {
+  return "the way out leads sideways, away from the programmed cut, by " + rounded_up(side_mm) +
+         ", more than --max-side-shift allows: " + display_text(limit_mm, 3) + " mm" +
+         (given_mm ? "" : ", twice the depth");
+}
+
+/// Returns the reason why no strategy finds a place. `has_both` is whether a lift and a shift were sought.
+std::string why_no_place(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits, bool has_both) {
+  const std::string within = "within " + max_shift_text(limits.largest_shift_mm);
+  if (head_excess(pose, checker, limits) > 0)
+    return "the head is in the way: no lift along the tool axis " + within +
+           " frees it; it takes another tilt or a longer tool";
+  if (checker.stock_excess(pose) > 0)
+    return "remaining stock is in the way: no lift along the tool axis " + within + " frees the tool";
+  return "no way out " + within + (has_both ? ", neither along the tool axis nor as a shift of the cutter" : "");
+}
+
+bool is_cutter_in(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker, const PoseLimits& limits) {
+  return largest_excess(pose, tool.cutting, checker.scene(), limits.aim.workpiece_mm, Tolerance::kCorrection_mm) > 0;
+}
+
+/// Moves the tip along the normal of the triangle in which the tool is deepest; if the cutter is too deep, that in which
+/// the cutter is. At the lower end of a shank the nearest way out leads along the axis, and does not end there.
+std::optional<CorrectedPose> correct_along_face(const Pose& pose, const ToolVariants& tool,
+                                                const MotionChecker& checker, const PoseLimits& limits) {
+  std::vector<ToolContact> contacts =
+      find_contacts(pose, tool.cutting, checker.scene().workpiece_tree(), limits.aim.workpiece_mm);
+  if (contacts.empty()) contacts = find_contacts(pose, tool, checker.scene(), limits.aim);
+  const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
+  if (deepest == contacts.end() || !(deepest->face.squaredNorm() > 0)) return std::nullopt;
+  auto found = lift_along(deepest->face, Strategy::normal, pose, tool, checker, limits);
+  if (found && head_excess(found->pose, checker, limits) > 0) return std::nullopt;
+  return found;
+}
+
+/// A way to seek a place. Without a strategy it is correct_along_face.
+using Way = std::optional<Strategy>;
+constexpr Way kAlongFace = std::nullopt;
+
+std::optional<CorrectedPose> correct_by(Way way, const Pose& pose, const ToolVariants& tool,
+                                        const MotionChecker& checker, const PoseLimits& limits) {
+  if (!way) return correct_along_face(pose, tool, checker, limits);
+  if (*way == Strategy::axis) return correct_along_axis(pose, tool, checker, limits);
+  return correct_as(*way, pose, tool, checker, limits);
+}
+
+/// Returns the ways to try, in this order.
+std::vector<Way> ways_of(Strategy wanted, const Pose& pose, const ToolVariants& tool, const MotionChecker& checker,
+                         const PoseLimits& limits) {
+  if (wanted == Strategy::normal) return {wanted, Strategy::axis, kAlongFace};
+  if (wanted == Strategy::tilt && limits.of_cutter) {
+    if (is_cutter_in(pose, tool, checker, limits)) return {limits.of_cutter, kAlongFace, Strategy::axis};
+    return {Strategy::axis, limits.of_cutter, kAlongFace};
+  }
+  if (wanted == Strategy::axis || wanted == Strategy::tilt) return {Strategy::axis};
+  return {wanted, Strategy::axis};
+}
 
 }  // namespace
 
@@ -154,25 +210,41 @@ const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const
 
 double side_shift_mm(const Vec3& shift, const Vec3& axis) { return (shift - shift.dot(axis) * axis).norm(); }
 
+std::string max_shift_text(double max_shift_mm) { return "--max-shift " + display_text(max_shift_mm, 3) + " mm"; }
+
 FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolVariants& tool,
                     const MotionChecker& checker, const PoseLimits& limits,
                     const std::optional<double>& largest_side_mm) {
   const double side = largest_side_mm.value_or(kSideShiftsPerDepth * depth_mm);
-  const bool is_head_in = head_excess(pose, checker, limits) > 0;
+  const std::vector<Way> ways = ways_of(wanted, pose, tool, checker, limits);
   FreedPose freed;
-  freed.reason = is_head_in ? kHeadStays : checker.stock_excess(pose) > 0 ? kStockStays : kTooFar;
-  if (wanted != Strategy::axis) {
-    if (const auto shifted = correct_as(wanted, pose, tool, checker, limits)) {
-      const bool is_aside = side_shift_mm(shifted->pose.tip - pose.tip, pose.axis) > side;
-      freed.reason = is_aside ? kSideways : why_not_shift(pose, shifted->pose, kind, tool, checker);
-      if (freed.reason == nullptr) return {shifted, nullptr};
+  for (const Way& way : ways) {
+    const auto shifted = correct_by(way, pose, tool, checker, limits);
+    if (!shifted) continue;
+    const double aside = way == Strategy::axis ? 0 : side_shift_mm(shifted->pose.tip - pose.tip, pose.axis);
+    if (aside > side) {
+      freed.reason = why_aside(aside, largest_side_mm, side);
+      continue;
     }
+    const char* const why_not = why_not_shift(pose, shifted->pose, kind, tool, checker);
+    if (why_not == nullptr) return {shifted, {}};
+    freed.reason = why_not;
   }
-  const auto lifted = correct_along_axis(pose, tool, checker, limits);
-  if (!lifted) return freed;
-  freed.reason = why_not_shift(pose, lifted->pose, kind, tool, checker);
-  if (freed.reason == nullptr) freed.corrected = lifted;
+  const bool has_both = wanted == Strategy::tilt && ways.size() > 1;
+  if (freed.reason.empty()) freed.reason = why_no_place(pose, checker, limits, has_both);
   return freed;
+}
+
+std::string longer_lift(const Pose& pose, MoveKind kind, const ToolVariants& tool, const MotionChecker& checker,
+                        const PoseLimits& limits) {
+  PoseLimits longer = limits;
+  longer.largest_shift_mm *= kLongerLifts;
+  const auto lifted = correct_along_axis(pose, tool, checker, longer);
+  if (!lifted || lifted->shift_mm <= limits.largest_shift_mm ||
+      why_not_shift(pose, lifted->pose, kind, tool, checker) != nullptr)
+    return {};
+  const std::string length = rounded_up(lifted->shift_mm);
+  return "; a lift of " + length + " along the tool axis would free it: --max-shift " + length;
 }
 
 }  // namespace gouge

@@ -36,6 +36,8 @@ struct PoseLimits {
   double largest_shift_mm = 20;  ///< maximum shift of the tip; a longer one is not a correction
   int largest_iterations = 60;
   Vec3 direction = Vec3::UnitZ();  ///< unit direction for Strategy::direction
+  /// The strategy of the cutter if it shifts. A pose that no tilt freed is shifted by it, or lifted.
+  std::optional<Strategy> of_cutter;
 };
 
 struct CorrectedPose {
@@ -83,7 +85,7 @@ struct CorrectedPose {
 /// A pose that is freed by a permitted shift, or the reason why there is none.
 struct FreedPose {
   std::optional<CorrectedPose> corrected;
-  const char* reason = nullptr;
+  std::string reason;
 };
 
 /// Maximum sideways shift, in depths at the pose, if the command line states none.
@@ -92,11 +94,21 @@ inline constexpr double kSideShiftsPerDepth = 2;
 /// Returns the part of a shift across the tool axis: a shift along the axis stays on the programmed cut.
 [[nodiscard]] double side_shift_mm(const Vec3& shift, const Vec3& axis);
 
-/// Corrects a pose by a permitted shift: first by the strategy `wanted`, then along the axis.
+/// Corrects a pose by a permitted shift: first by the strategy `wanted`, then along the axis. If `wanted` is to tilt,
+/// the pose is lifted along the axis, and then shifted by limits.of_cutter. Where the cutter itself is too deep, that
+/// shift is tried first.
 ///
 /// `largest_side_mm`: none permits kSideShiftsPerDepth times the depth.
 [[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind,
                                   const ToolVariants& tool, const MotionChecker& checker, const PoseLimits& limits,
                                   const std::optional<double>& largest_side_mm);
+
+/// Returns the part of a reason that states which --max-shift would allow a lift that frees a pose, after "; ". Returns
+/// an empty text if no lift of up to ten times the limit does.
+[[nodiscard]] std::string longer_lift(const Pose& pose, MoveKind kind, const ToolVariants& tool,
+                                      const MotionChecker& checker, const PoseLimits& limits);
+
+/// Returns "--max-shift 20 mm", the limit as reasons name it.
+[[nodiscard]] std::string max_shift_text(double max_shift_mm);
 
 }  // namespace gouge

@@ -10,10 +10,6 @@ namespace {
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
-constexpr const char* kNoWayBetween = "no clean path was found between its positions within the largest shift";
-constexpr const char* kHeadBetween =
-    "the head is in the way between its positions: no clean path was found within the largest shift; it takes another "
-    "tilt or a longer tool";
 constexpr const char* kCycleStep =
     "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
     "the holes";
@@ -23,21 +19,24 @@ constexpr const char* kCycleInStock =
     "before that removes the stock";
 constexpr const char* kNoWayOverStock =
     "no clear way over the remaining stock was found: the way up from its start or down to its end is blocked";
-constexpr const char* kShankInStock =
-    "remaining stock is in the way of shank or holder, and no lift within the largest shift frees them; it takes a "
-    "longer tool, or a cut before that removes the stock";
 constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
 
 }  // namespace
 
-std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
+std::string usual_reason(const Move& move, const MoveVerdict& verdict, double max_shift_mm) {
+  const std::string within = "within " + max_shift_text(max_shift_mm);
   if (verdict.state == MoveState::buried) return verdict.reason.body == Body::head ? kHeadBuried : kToolBuried;
   if (verdict.state == MoveState::not_certified) return kUncertain;
   if (move.kind == MoveKind::cycle) return verdict.is_in_stock() ? kCycleInStock : kCycleStep;
-  if (verdict.is_in_stock()) return move.kind == MoveKind::rapid ? kNoWayOverStock : kShankInStock;
+  if (verdict.is_in_stock() && move.kind == MoveKind::rapid) return kNoWayOverStock;
+  if (verdict.is_in_stock())
+    return "remaining stock is in the way of shank or holder, and no lift " + within +
+           " frees them; it takes a longer tool, or a cut before that removes the stock";
   if (!is_straight(move)) return kRound;
-  const bool is_head = verdict.witness && verdict.witness->body == Body::head;
-  return is_head ? kHeadBetween : kNoWayBetween;
+  if (verdict.witness && verdict.witness->body == Body::head)
+    return "the head is in the way between its positions: no clean path was found " + within +
+           "; it takes another tilt or a longer tool";
+  return "no clean path was found between its positions " + within;
 }
 
 std::string PathCorrector::out_of_budget() const {
@@ -81,7 +80,7 @@ void PathCorrector::gather_failure(std::size_t i, Correction& correction) const 
   if (!is_left || (work.is_wanted && !work.is_failed)) return;
   // A single position that was corrected does not gouge any more.
   if (!path_.moves[i].has_start && positions_[i].corrected) return;
-  std::string reason = usual_reason(path_.moves[i], verdict);
+  std::string reason = usual_reason(path_.moves[i], verdict, correct_.max_shift_mm);
   const bool is_gouge = verdict.state == MoveState::gouge;
   if (is_gouge && work.is_out_of_budget) reason = out_of_budget();
   if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;

@@ -45,6 +45,8 @@ PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
   limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
   limits_.largest_shift_mm = correct.max_shift_mm;
   limits_.direction = correct.strategies.direction;
+  const Strategy of_cutter = correct.strategies[Body::cutter];
+  if (of_cutter != Strategy::axis && of_cutter != Strategy::trim) limits_.of_cutter = of_cutter;
   positions_.resize(path_.moves.size());
   moves_.resize(path_.moves.size());
   choose_positions();
@@ -187,6 +189,8 @@ void PathCorrector::correct_position(std::size_t i) {
   work.corrected = found.corrected;
   if (!work.corrected) {
     work.failure = budget.is_spent() ? out_of_budget() : found.reason;
+    WorkBudget more(step_budget_);
+    if (!budget.is_spent()) work.failure += longer_lift(move.end, move.kind, tool, checker_of(i).within(more), usual);
     return;
   }
   work.depth_after_mm = depth_at(work.corrected->pose, i);
@@ -241,7 +245,6 @@ LinkTask PathCorrector::task_of(std::size_t i) const {
   task.options.near_miss_mm = state == MoveState::clean ? options_.near_miss_mm : 0;
   task.options.tolerance_mm = kMotionAimShare * options_.tolerance_mm;
   task.limits = limits_for(*task.tool);
-  task.strategy = strategy_of(i);
   task.rapid_clearance_mm = correct_.rapid_clearance_mm;
   if (move.kind == MoveKind::rapid) {
     const MoveState programmed = verdict_before(i).state;
@@ -277,9 +280,20 @@ void PathCorrector::link_move(std::size_t i) {
   work.is_refused = work.inserted.empty();
 }
 
+/// Links with the strategy of the gouging body. If that is to tilt and no link was found, links with that of the cutter.
 std::optional<std::vector<LinkPose>> PathCorrector::link_with(std::size_t i, const MotionChecker& checker) const {
+  const Strategy strategy = strategy_of(i);
+  auto waypoints = link_as(i, checker, strategy);
+  if (!waypoints && strategy == Strategy::tilt && limits_.of_cutter && path_.moves[i].kind == MoveKind::feed)
+    waypoints = link_as(i, checker, *limits_.of_cutter);
+  return waypoints;
+}
+
+std::optional<std::vector<LinkPose>> PathCorrector::link_as(std::size_t i, const MotionChecker& checker,
+                                                            Strategy strategy) const {
   LinkTask task = task_of(i);
   task.checker = &checker;
+  task.strategy = strategy;
   const Move& move = path_.moves[i];
   const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
   if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;

@@ -52,6 +52,8 @@ class PathCorrector {
   [[nodiscard]] bool is_end_in_stock(std::size_t i) const;
   [[nodiscard]] bool is_plunge(std::size_t i) const;
   [[nodiscard]] std::optional<std::vector<LinkPose>> link_with(std::size_t i, const MotionChecker& checker) const;
+  [[nodiscard]] std::optional<std::vector<LinkPose>> link_as(std::size_t i, const MotionChecker& checker,
+                                                             Strategy strategy) const;
   void keep_position(std::size_t i, const std::string& reason);
   void mark_moves_at(std::size_t i);
   [[nodiscard]] bool is_chained(std::size_t i) const;
@@ -99,6 +101,6 @@ class PathCorrector {
 }
 
 /// Returns the usual reason why a gouge, a buried or an uncertain move of this kind stays, if no other reason is known.
-[[nodiscard]] std::string usual_reason(const Move& move, const MoveVerdict& verdict);
+[[nodiscard]] std::string usual_reason(const Move& move, const MoveVerdict& verdict, double max_shift_mm);
 
 }  // namespace gouge

@@ -94,7 +94,72 @@ TEST(FreePose, ASidewaysWayOutBeyondTheLimitGivesWayToALift) {
   limits.largest_shift_mm = 1;
   const FreedPose none = freed(0.1);
   EXPECT_FALSE(none.corrected.has_value());
-  EXPECT_NE(std::string(none.reason).find("--max-side-shift"), std::string::npos) << none.reason;
+  EXPECT_EQ(
+      none.reason,
+      "the way out leads sideways, away from the programmed cut, by 0.396 mm, more than --max-side-shift allows: 0.1 "
+      "mm");
+}
+
+/// A flat cutter of 10 mm, 30 mm long, whose shank is `shank` wide, beside a wall at x = 0 of the given height.
+struct BesideAWall {
+  ToolVariants tool;
+  Scene scene;
+  CheckOptions options;
+  PoseLimits limits;
+
+  BesideAWall(double shank, double bottom, double top)
+      : tool(tools::variants(tools::assembly(FlatCutter{10, 30}, shank))) {
+    scene.parts = {shapes::box(Vec3(0, -50, bottom), Vec3(40, 50, top))};
+    limits.aim = {0.005, -0.002, -0.002};
+    limits.of_cutter = Strategy::normal;
+  }
+
+  [[nodiscard]] FreedPose freed(const Pose& pose) const {
+    const OwnSetup own(&tool, scene, options);
+    const MotionChecker checker = own.checker();
+    const double depth = checker.measure(pose, MoveKind::feed, tool).depth_mm;
+    return free_pose(Strategy::tilt, pose, depth, MoveKind::feed, tool, checker, limits, std::nullopt);
+  }
+  [[nodiscard]] std::string longer(const Pose& pose) const {
+    const OwnSetup own(&tool, scene, options);
+    return longer_lift(pose, MoveKind::feed, tool, own.checker(), limits);
+  }
+};
+
+TEST(FreePose, WhereTheCutterGougesTooADeeperShankDoesNotKeepItFromItsShift) {
+  const BesideAWall wall(10.4, -20, 45);
+  const FreedPose freed = wall.freed(upright(-4.6, 0, 0));  // the cutter 0.4 mm in the wall, the shank 0.6 mm
+  ASSERT_TRUE(freed.corrected.has_value()) << freed.reason;
+  EXPECT_EQ(freed.corrected->strategy, Strategy::normal);
+  EXPECT_NEAR(freed.corrected->pose.tip.x(), -5.2, 0.01);
+}
+
+TEST(FreePose, AShankAloneIsLiftedAndShiftedOnlyWhereNoLiftFreesIt) {
+  const Pose pose = upright(-5, 0, 0);
+  BesideAWall wall(10.4, 25, 38);  // the cutter touches, the shank is 0.2 mm in it
+  const FreedPose lifted = wall.freed(pose);
+  ASSERT_TRUE(lifted.corrected.has_value());
+  EXPECT_EQ(lifted.corrected->strategy, Strategy::axis);
+  wall.limits.largest_shift_mm = 5;
+  const FreedPose shifted = wall.freed(pose);
+  ASSERT_TRUE(shifted.corrected.has_value()) << shifted.reason;
+  EXPECT_EQ(shifted.corrected->strategy, Strategy::normal);
+  wall.limits.of_cutter.reset();
+  const FreedPose left = wall.freed(pose);
+  EXPECT_FALSE(left.corrected.has_value());
+  EXPECT_EQ(left.reason, "no way out within --max-shift 5 mm");
+}
+
+TEST(FreePose, AReasonNamesTheLimitsThatWouldFreeThePose) {
+  BesideAWall wall(10.4, 25, 38);
+  wall.limits.largest_shift_mm = 0.1;
+  const FreedPose left = wall.freed(upright(-5, 0, 0));
+  EXPECT_EQ(left.reason,
+            "no way out within --max-shift 0.1 mm, neither along the tool axis nor as a shift of the cutter");
+  wall.limits.largest_shift_mm = 2;
+  EXPECT_EQ(wall.longer(upright(-5, 0, 0)), "; a lift of 8 mm along the tool axis would free it: --max-shift 8 mm");
+  wall.limits.largest_shift_mm = 0.5;
+  EXPECT_EQ(wall.longer(upright(-5, 0, 0)), "") << "it is longer than any that is named";
 }
 
 }  // namespace
