@@ -52,7 +52,7 @@ TEST_F(BesideAStep, TheCutterIsNamedWhereItsShankIsAsDeep) {
     write_text(folder_ + "/tools.json", tools_json(shape, 10, 40));
     const Outcome checked = run("check", "path.apt");
     EXPECT_EQ(checked.exit_status, 1);
-    EXPECT_TRUE(is_said(checked.out, "gouge: 1.000 mm cutter T1 at (50, ")) << checked.out;
+    EXPECT_TRUE(is_said(checked.out, "gouge: 1.000 mm cutter T1 against part wall.stl at (50, ")) << checked.out;
   }
 }
 
@@ -74,7 +74,7 @@ TEST_F(BesideAStep, AShankOfItsOwnStrategyIsNotShifted) {
   const Outcome left = run("correct", "path.apt", {"-o", "out.apt", "--strategy", "shank=axis"});
   EXPECT_EQ(left.exit_status, 1);
   EXPECT_TRUE(is_said(left.out, "no way out within --max-shift 20 mm; a lift of ")) << left.out;
-  EXPECT_TRUE(is_said(left.out, " along the tool axis would free it: --max-shift 3")) << left.out;
+  EXPECT_TRUE(is_said(left.out, " along the tool axis would free it: --max-shift 29.995 mm")) << left.out;
 }
 
 // Two positions in a row have the same tilt, and the last tilted one is upright again.

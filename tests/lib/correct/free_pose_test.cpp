@@ -96,7 +96,7 @@ TEST(FreePose, ASidewaysWayOutBeyondTheLimitGivesWayToALift) {
   EXPECT_FALSE(none.corrected.has_value());
   EXPECT_EQ(
       none.reason,
-      "the way out leads sideways, away from the programmed cut, by 0.396 mm, more than --max-side-shift allows: 0.1 "
+      "the way out leads sideways, away from the programmed cut, by 0.398 mm, more than --max-side-shift allows: 0.1 "
       "mm");
 }
 
@@ -157,7 +157,8 @@ TEST(FreePose, AReasonNamesTheLimitsThatWouldFreeThePose) {
   EXPECT_EQ(left.reason,
             "no way out within --max-shift 0.1 mm, neither along the tool axis nor as a shift of the cutter");
   wall.limits.largest_shift_mm = 2;
-  EXPECT_EQ(wall.longer(upright(-5, 0, 0)), "; a lift of 8 mm along the tool axis would free it: --max-shift 8 mm");
+  EXPECT_EQ(wall.longer(upright(-5, 0, 0)),
+            "; a lift of 7.996 mm along the tool axis would free it: --max-shift 7.996 mm");
   wall.limits.largest_shift_mm = 0.5;
   EXPECT_EQ(wall.longer(upright(-5, 0, 0)), "") << "it is longer than any that is named";
 }
