@@ -150,7 +150,7 @@ class MoveChecker {
   // depth stays within its bounds.
   void name_cutter(const SearchResult& outcome) {
     if (!verdict_.witness || verdict_.witness->body == Body::cutter) return;
-    const SearchTarget target = whole()[outcome.at.target];
+    const SearchTarget& target = whole_[outcome.at.target];
     const double tie = kTieShare * options_.resolution_mm;
     const ToolPoint above = locate(outcome);
     const BoundaryElement& element = target.tool->elements[evaluate(*target.tool, above.r, above.z).element];
