@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -381,8 +380,7 @@ TEST_F(Accept, ABatchTakesABaselineAndSaysAccepted) {
   EXPECT_EQ(shop_.json("night/findings.sarif").at("runs").at(0).at("results").at(0).at("baselineState"), "unchanged");
   const std::string page = shop_.read("night/index.html");
   EXPECT_NE(page.find("<strong>Accepted gouges</strong>"), std::string::npos);
-  const std::string list = page.substr(std::min(page.find("<h2>Accepted findings</h2>"), page.size()));
-  EXPECT_NE(list.find("; accepted by "), std::string::npos) << list;
+  EXPECT_LT(page.find("<h2>Accepted findings</h2>"), page.find("; accepted by ")) << page;
   EXPECT_EQ(
       shop_.run({"check", "path.apt", "--part", "part.stl", "--baseline", "accepted.json", "--csv", "accepted.json"})
           .exit_status,

@@ -193,11 +193,10 @@ TEST(Foreign, FilesThatAreNoClDataAreNamed) {
 }
 
 TEST(Foreign, AProgramNeedsItsControl) {
-  for (const std::string text :
-       {"%\nO1000\nG21 G90\nT1 M6\nG0 X1. Y2. Z3.\nG1 Z-1. F100\nM30\n%\n",
-        "G0  X  16.3  Y -25.4\nG1  X   6.3  F 318\nG1  X   6.4  Y 2\n",
-        "%_N_X_MPF\nN10 G17 G71 G90\nN20 TRANS Z0\nN30 AROT X0\nN40 R1=5\nN50 G1 X1 F100\n",
-        ";$PATH=/_N_WKS_DIR/_N_X_WPD\nN10 MSG(\"A\")\nN20 R1=5\nN30 STOPRE\n"}) {
+  for (const std::string text : {"%\nO1000\nG21 G90\nT1 M6\nG0 X1. Y2. Z3.\nG1 Z-1. F100\nM30\n%\n",
+                                 "G0  X  16.3  Y -25.4\nG1  X   6.3  F 318\nG1  X   6.4  Y 2\n",
+                                 "%_N_X_MPF\nN10 G17 G71 G90\nN20 TRANS Z0\nN30 AROT X0\nN40 R1=5\nN50 G1 X1 F100\n",
+                                 ";$PATH=/_N_WKS_DIR/_N_X_WPD\nN10 MSG(\"A\")\nN20 R1=5\nN30 STOPRE\n"}) {
     const ReadOutcome outcome = read_toolpath("a", text);
     ASSERT_FALSE(outcome.toolpath) << text;
     EXPECT_EQ(outcome.errors.front().code, "gcode-control") << text;
@@ -205,9 +204,9 @@ TEST(Foreign, AProgramNeedsItsControl) {
 }
 
 TEST(Foreign, AProgramInKlartextShowsItsControl) {
-  const ReadOutcome outcome = read_toolpath(
-      "a", std::string("0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S100\n2 L X+1 Y+2 Z+9 R0 F100\n3 L X+5\n4 M30\n"
-                       "5 END PGM A MM\n"));
+  const ReadOutcome outcome =
+      read_toolpath("a", std::string("0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S100\n2 L X+1 Y+2 Z+9 R0 F100\n3 L X+5\n4 M30\n"
+                                     "5 END PGM A MM\n"));
   ASSERT_TRUE(outcome.toolpath) << to_text(outcome.errors.at(0));
   const Assumptions& facts = outcome.toolpath->assumptions;
   const auto dialect = std::ranges::find(facts, Subject::dialect, &Assumption::subject);
