@@ -29,4 +29,17 @@ void note_replaced(ResultStore& store, const BatchIdentity& identity, const std:
                         folder)});
 }
 
+void note_running(const std::vector<std::string>& names, const std::string& folder, std::ostream& err) {
+  constexpr std::size_t kMaxNames = 8;
+  if (names.empty()) return;
+  const std::size_t shown = std::min(names.size(), kMaxNames);
+  std::string text = listed({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown)}, " and ");
+  if (names.size() > shown) text += " and " + std::to_string(names.size() - shown) + " more";
+  print(err,
+        {make_note("jobs-running",
+                   "an earlier run ended while it ran " + text +
+                       "; they run last, so that a job which ends the program does not keep the others from running",
+                   folder)});
+}
+
 }  // namespace gouge

@@ -17,4 +17,7 @@ void note_left_baseline(const std::vector<BatchJob>& jobs, const std::string& li
 /// Notes how many jobs of an earlier batch in this folder have results that this batch replaces.
 void note_replaced(ResultStore& store, const BatchIdentity& identity, const std::string& folder, std::ostream& err);
 
+/// Prints that an earlier run ended while it ran the jobs `names`.
+void note_running(const std::vector<std::string>& names, const std::string& folder, std::ostream& err);
+
 }  // namespace gouge

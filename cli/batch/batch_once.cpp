@@ -10,6 +10,7 @@
 #include "cli/batch/batch_notes.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/jobs_in_the_way.h"
+#include "cli/batch/running_mark.h"
 #include "cli/batch/settled_files.h"
 #include "cli/batch/toolpath_files.h"
 #include "cli/output/report_folder.h"
@@ -67,6 +68,7 @@ class Batch {
     Progress progress(err_, ranks_->is_first() ? understand_progress(arguments_.progress) : ProgressMode::never);
     BatchRun batch(jobs_, texts_, options, *store_, progress, *ranks_);
     BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
+    if (!arguments_.is_quiet) note_running(batch.names_of_last(plan), arguments_.folder, err_);
     for (JobQueue* queue : {&plan.alone, &plan.together}) {
       ranks_->share(queue->numbers);
       ranks_->share(queue->group_ends);
@@ -170,7 +172,10 @@ class Batch {
     if (of_watch_ != WatchRun::later && !arguments_.is_fresh && !arguments_.is_quiet)
       note_replaced(*store_, identity_, arguments_.folder, err_);
     if (const Outcome begun = store_->begin(identity_); !begun) return fail_to_open(begun.error());
-    if (arguments_.is_fresh) remove_work(arguments_.folder);
+    if (arguments_.is_fresh) {
+      remove_running_marks(arguments_.folder);
+      remove_work(arguments_.folder);
+    }
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
     return std::nullopt;
   }
@@ -322,7 +327,10 @@ class Batch {
     if (written && is_whole) written = store_->end();
     const bool is_any_to_run_again =
         std::ranges::any_of(results, [](const JobResult& job) { return job.status == kExitInternal; });
-    if (written && is_whole && !is_any_to_run_again) remove_work(arguments_.folder);
+    if (written && is_whole) {
+      remove_running_marks(arguments_.folder);
+      if (!is_any_to_run_again) remove_work(arguments_.folder);
+    }
     if (!written) return fail(err_, {written.error()}, kExitInternal);
     is_done_ = true;
     const std::vector<JobResult>& shown = of_watch_ == WatchRun::none ? results : results_of(ran_, results);

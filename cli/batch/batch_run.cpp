@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "cli/batch/running_mark.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
@@ -54,7 +55,10 @@ BatchRun::BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::str
       progress_(progress),
       ranks_(ranks),
       scenes_(options.copies) {
-  for (const BatchJob& job : jobs) sizes_.push_back(size_of(job));
+  for (const BatchJob& job : jobs) {
+    sizes_.push_back(size_of(job));
+    is_last_.push_back(has_running_mark(options.folder, job.name));
+  }
 }
 
 BatchRun::Size BatchRun::size_of(const BatchJob& job) {
@@ -77,6 +81,7 @@ std::vector<std::size_t> BatchRun::in_order(std::vector<std::size_t> numbers) co
     work[group[number]] += sizes_[number].path_bytes;
   }
   std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
+    if (is_last_[a] != is_last_[b]) return static_cast<bool>(is_last_[b]);
     if (group[a] != group[b]) {
       const std::uint64_t of_a = work[group[a]], of_b = work[group[b]];
       return of_a != of_b ? of_a > of_b : group[a] < group[b];
@@ -93,10 +98,19 @@ BatchPlan BatchRun::plan(const std::vector<std::size_t>& numbers) const {
                                        std::max<std::size_t>(numbers.size(), 1));
   std::vector<std::size_t> alone, together;
   for (const std::size_t number : in_order(numbers)) {
-    const bool is_large = sizes_[number].path_bytes > work / at_once;
+    const bool is_large = sizes_[number].path_bytes > work / at_once && !is_last_[number];
     (is_large || options_.jobs_at_once == 1 || numbers.size() == 1 ? alone : together).push_back(number);
   }
   return {queue_of(std::move(alone)), queue_of(std::move(together))};
+}
+
+std::vector<std::string> BatchRun::names_of_last(const BatchPlan& plan) const {
+  std::vector<std::string> names;
+  for (const JobQueue* queue : {&plan.alone, &plan.together}) {
+    for (const std::size_t number : queue->numbers)
+      if (is_last_[number]) names.push_back(jobs_[number].name);
+  }
+  return names;
 }
 
 JobQueue BatchRun::queue_of(std::vector<std::size_t> numbers) const {
@@ -175,6 +189,7 @@ void BatchRun::run_one(std::size_t number) {
   const JobArguments& arguments = jobs_[number].job();
   const Room room(*this, sizes_[number].memory_bytes);
   if (!is_stopped_) {
+    const RunningMark mark(options_.folder, jobs_[number].name);
     JobRun run = run_job(jobs_[number], texts_[number], options_.folder, options_.chunk, scenes_);
     run.result.rank = ranks_.rank();
     note(number, std::move(run));

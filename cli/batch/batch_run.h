@@ -49,7 +49,7 @@ struct BatchPlan {
 
 /// Runs jobs side by side and commits each result to the store as soon as it is complete, while others run. Jobs of one
 /// scene run next to each other, large jobs first. A job that is larger than a fair share of all work runs alone, with
-/// all threads.
+/// all threads. Jobs that ran when an earlier process ended run last.
 class BatchRun {
  public:
   /// All arguments must outlive the object. `texts` has the job_text of each job.
@@ -58,6 +58,8 @@ class BatchRun {
 
   /// Returns the order and the grouping in which the jobs with these numbers run.
   [[nodiscard]] BatchPlan plan(const std::vector<std::size_t>& numbers) const;
+  /// Returns the names of the jobs in a plan that ran when an earlier process ended.
+  [[nodiscard]] std::vector<std::string> names_of_last(const BatchPlan& plan) const;
   /// Runs the jobs of the plan that this process receives. Errors: those of the store. After an error, running jobs
   /// end, and no other job begins.
   [[nodiscard]] Outcome run(const BatchPlan& plan);
@@ -120,8 +122,9 @@ class BatchRun {
   std::array<Group, 2> groups_{};  // one for each queue of the plan
   std::vector<bool> is_expected_;  // for each job number, whether this process may still receive the job
   std::vector<Size> sizes_;
-  std::mutex writing_;  // guards the store
-  std::mutex guard_;    // guards all members that follow
+  std::vector<bool> is_last_;  // an earlier process ended while it ran the job, so the job may end this one too
+  std::mutex writing_;         // guards the store
+  std::mutex guard_;           // guards all members that follow
   std::condition_variable room_, news_;
   std::vector<ResultStore::Numbered> queued_;
   std::vector<std::string> work_files_;  // work files of the queued results

@@ -222,5 +222,32 @@ TEST(Batch, OfTwoInOneFolderTheSecondIsRefused) {
   }
 }
 
+// A job that ends the program, for example by using all memory, must not keep the other jobs from running.
+TEST(Batch, JobsThatRanWhenAProcessEndedRunLast) {
+  const std::string folder = samples_with_list({"needles"});
+  const std::string gouge = "PARTNO/T\nUNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,40\nGOTO/0,0,-5\n";
+  write_text(folder + "/large.apt", gouge + "$$ a long remark makes this file the larger one\nFINI\n");
+  write_text(folder + "/small.apt", gouge + "FINI\n");
+  const auto run = [&](const char* out) {
+    return run_batch(folder, {"large.apt", "small.apt", "--part", "needles/part.stl", "--jobs", "1", "--stop-on",
+                              "gouge", "--no-reports", "-o", out});
+  };
+  const auto verdicts = [&](const char* out) {
+    const nlohmann::json summary = summary_of(folder + "/" + out);
+    std::vector<std::string> all;
+    for (const auto& job : summary.at("jobs")) all.push_back(job.at("verdict"));
+    return all;
+  };
+  EXPECT_EQ(run("usual").exit_status, 1);
+  EXPECT_EQ(verdicts("usual"), (std::vector<std::string>{"gouges", "not-run"}));
+  EXPECT_FALSE(fs::exists(folder + "/usual/running"));
+  fs::create_directories(folder + "/out/running");
+  write_text(folder + "/out/running/" + sha256_of("large") + ".job", "large\n");
+  const Outcome ran = run("out");
+  EXPECT_NE(ran.err.find("out: note: an earlier run ended while it ran large; they run last"), std::string::npos)
+      << ran.err;
+  EXPECT_EQ(verdicts("out"), (std::vector<std::string>{"not-run", "gouges"}));
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::batch_surroundings_test
