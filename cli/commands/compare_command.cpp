@@ -19,6 +19,18 @@
 #include "postproc/compare/write_comparison.h"
 
 namespace gouge {
+namespace {
+
+/// Lets the options from number `first` on hold with --paths alone, except for the limit of input files.
+void bind_to_paths(CLI::App& command, std::size_t first) {
+  CLI::Option* const paths = command.get_option("--paths");
+  const std::vector<CLI::Option*> options = command.get_options([](const CLI::Option*) { return true; });
+  for (std::size_t k = first; k < options.size(); ++k)
+    if (!options[k]->check_lname("max-input")) options[k]->needs(paths);
+}
+
+}  // namespace
+
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   command
       .add_option("OLD", arguments.before,
@@ -45,8 +57,10 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
       "OLD and NEW are two readings of a toolpath, such as CL data and the program made of it: show the "
       "largest distance of their tips and axes, feeds that became rapids, another order, and the first feed "
       "rate that differs");
+  const std::size_t first = command.get_options().size();
   add_program_reading(command, arguments, MachineOption::possible);
   add_reading_of_new(command, arguments.of_new);
+  bind_to_paths(command, first);
   add_verbosity(command, arguments, "List the unchanged findings too (not with -q)");
   command.footer(
       "Examples:\n"

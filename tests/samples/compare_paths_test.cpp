@@ -201,6 +201,14 @@ TEST_F(ComparePaths, FactsOfNewAloneHaveAPrefix) {
       0);
 }
 
+TEST_F(ComparePaths, OptionsOfToolpathsNeedPaths) {
+  for (const char* option : {"--control", "--new-control"}) {
+    const Outcome ran = shop_.run({"compare", "a.json", "b.json", option, "haas"});
+    EXPECT_EQ(ran.exit_status, 2);
+    expect_text(ran.err, std::string(option) + " requires --paths");
+  }
+}
+
 TEST_F(ComparePaths, PassesInAnotherOrderDiffer) {
   const auto write = [&](const char* name, const std::vector<int>& places) {
     std::string text = "PARTNO/T\nUNITS/MM\n";
