@@ -195,14 +195,15 @@ class Acceptor {
   Acceptor(const AcceptArguments& arguments, std::vector<Acceptance> accepted)
       : arguments_(arguments),
         note_{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date},
-        before_(accepted.size()),
+        existing_(accepted),
         accepted_(std::move(accepted)) {}
 
   /// Accepts the findings of a result that were asked for by their numbers. Those without a job belong to the only result.
   Outcome accept_named(const std::string& job, const StoredResult& result) {
     for (const ChosenFinding& finding : arguments_.findings) {
       if (!finding.job.empty() && finding.job != job) continue;
-      if (Outcome added = add(result, finding.number); !added) return added;
+      Outcome added = add(result, finding.number);
+      if (!added && !is_new_twice(added.error(), result, finding.number)) return added;
     }
     return Done{};
   }
@@ -214,7 +215,7 @@ class Acceptor {
     std::ranges::sort(numbers);
     for (const std::size_t number : numbers) {
       const Outcome added = add(result, number);
-      if (added) continue;
+      if (added || is_new_twice(added.error(), result, number)) continue;
       added.error().code == "accept-twice" ? static_cast<void>(++known_) : refused_.push_back(added.error());
     }
   }
@@ -228,17 +229,27 @@ class Acceptor {
   }
 
   void tell(std::ostream& out) const {
-    for (std::size_t k = before_; k < accepted_.size(); ++k) {
+    for (std::size_t k = existing_.size(); k < accepted_.size(); ++k) {
       const Acceptance& made = accepted_[k];
       out << printable("accepted: " + made.toolpath + ":" + std::to_string(made.line) + ": " + made.finding) << "\n";
     }
+    if (same_ > 0)
+      out << count_text(same_, "finding") << (same_ == 1 ? " has" : " have")
+          << " the motions of these, so the new entries accept " << (same_ == 1 ? "it" : "them") << " too\n";
     if (known_ > 0) out << count_text(known_, "finding") << " accepted before\n";
     if (has_new() || (arguments_.is_all && refused_.empty()))
       out << printable(arguments_.output + " has " + count_text(accepted_.size(), "accepted finding")) << "\n";
   }
 
  private:
-  [[nodiscard]] bool has_new() const { return accepted_.size() > before_; }
+  [[nodiscard]] bool has_new() const { return accepted_.size() > existing_.size(); }
+
+  /// Counts a finding that an entry of this command accepts, but none of an earlier one.
+  bool is_new_twice(const Diagnostic& error, const StoredResult& result, std::size_t number) {
+    if (error.code != "accept-twice" || !accept_finding(result, number, note_, existing_)) return false;
+    ++same_;
+    return true;
+  }
 
   Outcome add(const StoredResult& result, std::size_t number) {
     Result<Acceptance> made = accept_finding(result, number, note_, accepted_);
@@ -249,14 +260,14 @@ class Acceptor {
 
   const AcceptArguments& arguments_;
   AcceptanceNote note_;
-  std::size_t before_ = 0, known_ = 0;
-  std::vector<Acceptance> accepted_;
+  std::vector<Acceptance> existing_, accepted_;  // those of the file, and these with the new ones
+  std::size_t known_ = 0, same_ = 0;
   Diagnostics refused_;
 };
 
 /// Returns all results that were named; the folder of a batch stands for the results of its jobs. Single results have
-/// no job name.
-Result<std::vector<ListedJob>> named_results(const AcceptArguments& arguments) {
+/// no job name. `warnings` receives the jobs without a result.
+Result<std::vector<ListedJob>> named_results(const AcceptArguments& arguments, Diagnostics& warnings) {
   std::vector<ListedJob> all;
   for (const std::string& typed : arguments.results) {
     if (!is_batch_folder(typed)) {
@@ -271,6 +282,11 @@ Result<std::vector<ListedJob>> named_results(const AcceptArguments& arguments) {
     if (all.size() == before)
       return make_error("usage",
                         typed + " is the folder of a batch without reports; run it again without --no-reports");
+    for (const ListedJob& job : *jobs)
+      if (job.result_file.empty())
+        warnings.push_back(make_warning(
+            "accept-no-result",
+            "job " + job.name + " (" + job.verdict + ") has no result, so nothing of it is accepted", typed));
   }
   return all;
 }
@@ -336,7 +352,8 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
     return withdraw_acceptances(arguments.results.front(), arguments.withdrawn, arguments.input, out, err);
   const OutputTable outputs = asked_for({{"-o", arguments.output}});
   std::vector<InputOption> inputs;
-  const Result<std::vector<ListedJob>> named = named_results(arguments);
+  Diagnostics warnings;
+  const Result<std::vector<ListedJob>> named = named_results(arguments, warnings);
   if (!named) return fail(err, {named.error()});
   if (const auto wrong = find_wrong_choice(arguments.findings, *named)) return fail(err, {*wrong});
   for (const ListedJob& one : *named) inputs.push_back({"the result", one.result_file});
@@ -344,6 +361,7 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   if (!is_accepting(arguments)) return list_all(arguments, *named, out, err);
   const Result<std::vector<StoredResult>> results = read_results(arguments, *named);
   if (!results) return fail(err, {results.error()});
+  if (arguments.is_all) print(err, warnings);
   return accept(arguments, *named, *results, out, err);
 }
 

@@ -46,7 +46,7 @@ class Baseline {
 
   BaselineFacts run() {
     for (std::size_t k = 0; k < accepted_.size(); ++k) add_entry(k);
-    for (const Event& event : model_.result->events) facts_.events.push_back(judge(event));
+    judge_all();
     for (std::size_t i = 0; i < facts_.events.size(); ++i) explain_changed_motion(i);
     set_aside_others();
     return std::move(facts_);
@@ -75,6 +75,27 @@ class Baseline {
       }
     }
     facts_.entries.push_back(std::move(entry));
+  }
+
+  // Judges first the findings in whose lines an entry was made, because an entry counts where it was made if its motion
+  // gouges more often than it was accepted.
+  void judge_all() {
+    const std::vector<Event>& events = model_.result->events;
+    facts_.events.resize(events.size());
+    std::vector<std::size_t> later;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      const bool has_own =
+          std::ranges::any_of(accepted_, [&](const Acceptance& a) { return is_made_in(a, events[i]); });
+      has_own ? static_cast<void>(facts_.events[i] = judge(events[i])) : later.push_back(i);
+    }
+    for (const std::size_t i : later) facts_.events[i] = judge(events[i]);
+  }
+
+  // Returns whether an entry was made for a line of a finding of this program.
+  [[nodiscard]] bool is_made_in(const Acceptance& a, const Event& event) const {
+    const Moves& moves = model_.toolpath->moves;
+    return moves[event.first_move].line <= a.line && a.line <= moves[event.last_move].line &&
+           !is_of_other_program(a.toolpath, model_);
   }
 
   [[nodiscard]] std::optional<std::string> find_setup_change(const Acceptance& a) const {
@@ -194,18 +215,29 @@ class Baseline {
       return answer;
     }
     answer.why_not = line + " gouges more often than was accepted";
+    if (Offer* const offer = find_offer(slot, event, verdict, line, answer.why_not)) {
+      offer->is_used = true;
+      ++slot.used;
+      answer.entry = offer->entry;
+    }
+    return answer;
+  }
+
+  // Returns an offer that accepts the depth of a move: one that was made in the lines of its finding, if there is one.
+  Offer* find_offer(Slot& slot, const Event& event, const MoveVerdict& verdict, const std::string& line,
+                    std::string& why_not) const {
+    Offer* found = nullptr;
     for (Offer& offer : slot.offers) {
       if (offer.is_used) continue;
       if (const auto why = why_deeper(verdict, *offer.move)) {
-        answer.why_not = line + " is " + *why;
+        if (found == nullptr) why_not = line + " is " + *why;
         continue;
       }
-      offer.is_used = true;
-      ++slot.used;
-      answer.entry = offer.entry;
-      return answer;
+      const bool is_own = is_made_in(accepted_[offer.entry], event);
+      if (is_own) return &offer;
+      if (found == nullptr) found = &offer;
     }
-    return answer;
+    return found;
   }
 
   // Returns why a move is deeper than accepted. Both depths belong to one motion in one set-up, so they can differ only

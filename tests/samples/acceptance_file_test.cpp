@@ -83,5 +83,55 @@ TEST_F(AcceptanceFile, NumbersOfFindingsMayHaveBlanks) {
   EXPECT_EQ(shop_.json("accepted.json").at("accepted").size(), 2U);
 }
 
+// The name and the reason of a person stand at the line that the person accepted.
+TEST_F(AcceptanceFile, AnAcceptanceCountsInItsLineIfItsMotionIsRepeated) {
+  std::vector<Station> twice = stations({{40, -0.2}});
+  const std::vector<Station> again = twice;
+  twice.insert(twice.end(), again.begin(), again.end());
+  const std::string path = path_text(twice);
+  ASSERT_EQ(shop_.check("a", path).exit_status, 1);
+  for (const char* number : {"1", "2"}) {
+    (void)shop_.run_script("rm -f accepted.json");
+    ASSERT_EQ(accept(number).exit_status, 0);
+    const auto line = shop_.json("accepted.json").at("accepted").at(0).at("line");
+    EXPECT_EQ(shop_.check("b", path, {"--baseline", "accepted.json"}).exit_status, 1);
+    std::size_t accepted = 0;
+    const nlohmann::json checked = shop_.json("b.json");
+    for (const auto& event : checked.at("events")) {
+      if (!event.at("acceptance").at("is_accepted")) continue;
+      ++accepted;
+      EXPECT_EQ(event.at("line"), line) << number;
+    }
+    EXPECT_EQ(accepted, 1U);
+  }
+  ASSERT_EQ(accept("1").exit_status, 0);
+  EXPECT_EQ(shop_.check("b", path, {"--baseline", "accepted.json"}).exit_status, 0);
+}
+
+TEST_F(AcceptanceFile, FindingsWithEqualMotionsAreNotCalledAcceptedBefore) {
+  shop_.write("part.stl", plate_stl());
+  const std::string deep = path_text(stations({{40, -0.2}}));
+  for (const char* name : {"one.apt", "two.apt"}) shop_.write(name, deep);
+  shop_.write("bad.apt", "no path");
+  ASSERT_EQ(
+      shop_.run({"batch", "one.apt", "two.apt", "bad.apt", "--part", "part.stl", "-o", "night", "-q"}).exit_status, 3);
+  const Words note = {"--reason", "r", "--by", "b", "-o", "accepted.json"};
+  for (Words words :
+       {Words{"accept", "night", "--finding", "one:1", "--finding", "two:1"}, Words{"accept", "night", "--all"}}) {
+    (void)shop_.run_script("rm -f accepted.json");
+    words.insert(words.end(), note.begin(), note.end());
+    const Outcome ran = shop_.run(words);
+    EXPECT_EQ(ran.exit_status, 0) << ran.err;
+    EXPECT_NE(ran.out.find("\n1 finding has the motions of these, so the new entries accept it too\n"),
+              std::string::npos)
+        << ran.out;
+    EXPECT_EQ(ran.out.find("before"), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.err.find("job bad (failed) has no result") != std::string::npos, words.at(2) == "--all") << ran.err;
+  }
+  EXPECT_NE(shop_.run({"accept", "night", "--all", "--reason", "r", "--by", "b", "-o", "accepted.json"})
+                .out.find("2 findings accepted before\n"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::acceptance_file_test
