@@ -57,6 +57,9 @@ struct TurnLaws {
 /// Returns the law of that name; none where there is no such law.
 [[nodiscard]] std::optional<TurnLaw> turn_law_called(const std::string& name);
 
+/// Languages of programs, as a machine file names them.
+inline const std::vector<std::string> kProgramLanguages = {"linuxcnc", "haas", "fanuc", "siemens", "heidenhain"};
+
 struct Control {
   std::string name;
   std::optional<TurnLaw> feed_law, rapid_law;  ///< none: the manual promises none, so the user must give it
@@ -64,7 +67,7 @@ struct Control {
   /// Tolerances of the smoothing, mm and rad: maximum departure of tip and tool axis from the law; 0: none is stated.
   double tip_tolerance_mm = 0, axis_tolerance_rad = 0;
   std::optional<TurnLaw> joint_rapid_law = {};  ///< of rapids without tool centre point control: joint or independent
-  std::string program = {};                     ///< language of its programs: "linuxcnc", "haas"; empty: not stated
+  std::string program = {};                     ///< one of kProgramLanguages; empty: not stated
   std::string start = {};                       ///< blocks in force at the start of a program: "G17 G21 G90"
   std::string unread_setting = {};              ///< setting that the readers of its programs do not follow; empty: none
 };

@@ -176,7 +176,8 @@ class MachineReader {
     control.rapid_law = law(field, "rapid_law", kRapidLaws);
     if (const auto joints = field.find("joint_rapid_law"); joints && !joints->is_null())
       control.joint_rapid_law = joints->word(kJointLaws) == 0 ? TurnLaw::joint : TurnLaw::independent;
-    if (const auto program = field.find("program")) control.program = program->text();
+    if (const auto program = field.find("program"))
+      control.program = kProgramLanguages.at(program->word(kProgramLanguages));
     if (const auto start = field.find("start")) control.start = start->text();
     if (const auto source = field.find("source")) control.source = source->text();
     control.tip_tolerance_mm = tolerance(field, "tip_tolerance", mm_per_unit_, kMaxTip);

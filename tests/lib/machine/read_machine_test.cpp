@@ -51,6 +51,8 @@ TEST(ReadMachine, RefusesWrongFieldsWithTheirLine) {
       {"\"name\": \"Y\"", "\"name\": \"Y=\"", "a name such as X", 5},
       {"\"name\": \"Y\"", "\"name\": \"a\\nb\"", "a name such as X", 5},
       {"\"name\": \"Y\"", "\"name\": \"move\"", "a name such as X", 5},
+      {"\"name\": \"any\"", "\"name\": \"any\", \"program\": \"Siemens\"",
+       "'/control/program' is \"Siemens\"; expected one of linuxcnc, haas, fanuc, siemens, heidenhain", 7},
   };
   for (const auto& one : kCases) {
     std::string bytes = trunnion();

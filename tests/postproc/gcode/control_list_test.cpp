@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/machine/machine.h"
 #include "postproc/gcode/heidenhain/klartext_table.h"
 #include "postproc/gcode/language/control_tables.h"
+#include "postproc/gcode/reading/read_gcode.h"
 #include "postproc/gcode/siemens/siemens_table.h"
 
 namespace gouge::control_list_test {
@@ -107,6 +110,12 @@ TEST(ControlList, CallsNoMotionOfHeidenhainHarmless) {
                             row.meaning == not_checked_path || row.meaning == program_end;
     EXPECT_TRUE(!has_effect || is_no_harmless_code('M', row.number)) << row.number;
   }
+}
+
+TEST(ControlList, MachineFilesNameTheLanguagesThatAreRead) {
+  std::vector<std::string> read;
+  for (const ProgramLanguage& language : all_languages()) read.emplace_back(language.id);
+  EXPECT_EQ(read, kProgramLanguages);
 }
 
 }  // namespace
