@@ -32,10 +32,16 @@ bool is_same(const RecordLeaf& a, const RecordLeaf& b) {
   return a.text == b.text;
 }
 
-std::string shown(const RecordLeaf& leaf) {
+/// Returns a value for people. Of a long text this is the part about its first difference from the `other` one.
+std::string shown(const RecordLeaf& leaf, const RecordLeaf& other) {
   if (!leaf.is_free_text) return leaf.text;
-  if (leaf.text.size() <= kMaxShownBytes) return "\"" + leaf.text + "\"";
-  return "\"" + valid_utf8(std::string_view(leaf.text).substr(0, kMaxShownBytes)) + "...\"";
+  const std::string_view text = leaf.text;
+  if (text.size() <= kMaxShownBytes) return "\"" + leaf.text + "\"";
+  const auto first = std::ranges::mismatch(text, other.text).in1;
+  const auto same = static_cast<std::size_t>(first - text.begin());
+  const std::size_t from = same < kMaxShownBytes / 2 ? 0 : same - kMaxShownBytes / 4;
+  return (from > 0 ? "\"..." : "\"") + valid_utf8(text.substr(from, kMaxShownBytes)) +
+         (from + kMaxShownBytes < text.size() ? "...\"" : "\"");
 }
 
 /// Replaces the places where inputs were found by the names that the result states.
@@ -146,8 +152,8 @@ class DifferenceFinder {
       if (claimed[k].place != expected[k].place)
         return add("its '" + claimed[k].place + "' is not what its moves and inputs give");
       if (!is_same(claimed[k], expected[k]))
-        add("its '" + claimed[k].place + "' is " + shown(claimed[k]) + ", and its moves and inputs give " +
-            shown(expected[k]));
+        add("its '" + claimed[k].place + "' is " + shown(claimed[k], expected[k]) + ", and its moves and inputs give " +
+            shown(expected[k], claimed[k]));
     }
     if (claimed.size() != expected.size())
       add("its '" + (claimed.size() > expected.size() ? claimed : expected).back().place +
