@@ -179,16 +179,21 @@ std::optional<CorrectedPose> correct_by(Way way, const Pose& pose, const ToolVar
   return correct_as(*way, pose, tool, checker, limits);
 }
 
-/// Returns the ways to try, in this order.
-std::vector<Way> ways_of(Strategy wanted, const Pose& pose, const ToolVariants& tool, const MotionChecker& checker,
-                         const PoseLimits& limits) {
-  if (wanted == Strategy::normal) return {wanted, Strategy::axis, kAlongFace};
+/// Ways to try.
+struct Ways {
+  std::vector<Way> in_order;
+  bool takes_shortest = false;  ///< the shortest shift is taken, else the first one
+};
+
+Ways ways_of(Strategy wanted, const Pose& pose, const ToolVariants& tool, const MotionChecker& checker,
+             const PoseLimits& limits) {
+  if (wanted == Strategy::normal) return {{wanted, Strategy::axis, kAlongFace}};
   if (wanted == Strategy::tilt && limits.of_cutter) {
-    if (is_cutter_in(pose, tool, checker, limits)) return {limits.of_cutter, kAlongFace, Strategy::axis};
-    return {Strategy::axis, limits.of_cutter, kAlongFace};
+    if (is_cutter_in(pose, tool, checker, limits)) return {{limits.of_cutter, kAlongFace, Strategy::axis}, true};
+    return {{Strategy::axis, limits.of_cutter, kAlongFace}};
   }
-  if (wanted == Strategy::axis || wanted == Strategy::tilt) return {Strategy::axis};
-  return {wanted, Strategy::axis};
+  if (wanted == Strategy::axis || wanted == Strategy::tilt) return {{Strategy::axis}};
+  return {{wanted, Strategy::axis}};
 }
 
 }  // namespace
@@ -216,9 +221,9 @@ FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind
                     const MotionChecker& checker, const PoseLimits& limits,
                     const std::optional<double>& largest_side_mm) {
   const double side = largest_side_mm.value_or(kSideShiftsPerDepth * depth_mm);
-  const std::vector<Way> ways = ways_of(wanted, pose, tool, checker, limits);
+  const Ways ways = ways_of(wanted, pose, tool, checker, limits);
   FreedPose freed;
-  for (const Way& way : ways) {
+  for (const Way& way : ways.in_order) {
     const auto shifted = correct_by(way, pose, tool, checker, limits);
     if (!shifted) continue;
     const double aside = way == Strategy::axis ? 0 : side_shift_mm(shifted->pose.tip - pose.tip, pose.axis);
@@ -227,10 +232,15 @@ FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind
       continue;
     }
     const char* const why_not = why_not_shift(pose, shifted->pose, kind, tool, checker);
-    if (why_not == nullptr) return {shifted, {}};
-    freed.reason = why_not;
+    if (why_not != nullptr) {
+      freed.reason = why_not;
+    } else if (!freed.corrected || shifted->shift_mm < freed.corrected->shift_mm) {
+      freed.corrected = shifted;
+      if (!ways.takes_shortest) break;
+    }
   }
-  const bool has_both = wanted == Strategy::tilt && ways.size() > 1;
+  if (freed.corrected) return {freed.corrected, {}};
+  const bool has_both = wanted == Strategy::tilt && ways.in_order.size() > 1;
   if (freed.reason.empty()) freed.reason = why_no_place(pose, checker, limits, has_both);
   return freed;
 }

@@ -95,8 +95,8 @@ inline constexpr double kSideShiftsPerDepth = 2;
 [[nodiscard]] double side_shift_mm(const Vec3& shift, const Vec3& axis);
 
 /// Corrects a pose by a permitted shift: first by the strategy `wanted`, then along the axis. If `wanted` is to tilt,
-/// the pose is lifted along the axis, and then shifted by limits.of_cutter. Where the cutter itself is too deep, that
-/// shift is tried first.
+/// the pose is lifted along the axis, and then shifted by limits.of_cutter. Where the cutter itself is too deep, the
+/// shortest of these shifts is taken.
 ///
 /// `largest_side_mm`: none permits kSideShiftsPerDepth times the depth.
 [[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind,
