@@ -89,6 +89,18 @@ FaultJob make_job(const std::string& name) {
   return job;
 }
 
+namespace {
+
+/// Whether a file for build servers is complete and states that the run ended without a result.
+bool states_failure(const std::string& name, const std::string& bytes) {
+  if (name.ends_with(".sarif"))
+    return bytes.find("\"executionSuccessful\": false") != std::string::npos && bytes.ends_with("]\n}\n");
+  return name.ends_with(".xml") && bytes.find("<error message=\"exit status ") != std::string::npos &&
+         bytes.ends_with("</testsuites>\n");
+}
+
+}  // namespace
+
 std::vector<std::string> wrong_files(const FaultJob& job, bool has_older, bool may_leave_hidden) {
   std::vector<std::string> wrong;
   const Files found = files_of(job.folder);
@@ -103,6 +115,7 @@ std::vector<std::string> wrong_files(const FaultJob& job, bool has_older, bool m
       return at != files.end() && at->second == text;
     };
     if (is_of(job.outputs) || (has_older && is_of(job.older))) continue;
+    if (states_failure(name, bytes)) continue;
     if (name == "report/manifest.json") continue;  // lists the old and the new while they change places
     const bool is_hidden = name.find(".gougecheck") != std::string::npos;
     if (is_hidden && may_leave_hidden) continue;
