@@ -110,8 +110,9 @@ std::string positions_examined(const ClosestApproach& closest_approach) {
 
 std::string apart_text(const ClosestApproach& closest_approach) {
   // The distance is rounded down, because it must hold for each position.
-  return "at none of " + positions_examined(closest_approach) + " is the tool nearer than " +
-         fixed_text(std::floor(closest_approach.apart_mm * 10) / 10, 1) + " mm to the part";
+  const std::string distance = fixed_text(std::floor(closest_approach.apart_mm * 10) / 10, 1) + " mm to the part";
+  if (closest_approach.cuts == 1) return "at the only cutting position the tool is not nearer than " + distance;
+  return "at none of " + positions_examined(closest_approach) + " is the tool nearer than " + distance;
 }
 
 std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath,
