@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <ostream>
+#include <set>
 #include <thread>
 
 #include "cli/batch/batch_identity.h"
