@@ -80,7 +80,8 @@ PoseDistance distance_from(const Pose& pose, const MotionChord& chord) {
   };
   if (squared > 0) return at(std::clamp((pose.tip - chord.from.tip).dot(way) / squared, 0.0, 1.0));
   const PoseDistance first = at(0), last = at(1), between = at(nearest_turn(pose.axis, chord.from.axis, chord.to.axis));
-  return std::ranges::min({first, last, between}, {}, &PoseDistance::axis_rad);
+  return std::min({first, last, between},
+                  [](const PoseDistance& a, const PoseDistance& b) { return a.axis_rad < b.axis_rad; });
 }
 
 double tip_bound_mm(const Pose& pose, const MotionChord& chord) {

@@ -30,7 +30,7 @@ std::vector<std::size_t> TipGrid::find(const Vec3& tip, std::size_t max_count) c
     cells.push_back(cell_of(tip + near_mm_ * side));
   }
   std::ranges::sort(cells);
-  cells.erase(std::ranges::unique(cells).begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::vector<std::size_t> found;
   for (const std::uint64_t cell : cells) {
     const auto points = cells_.find(cell);

@@ -8,6 +8,7 @@
 #include "postproc/record/words.h"
 #include "postproc/record/write_record.h"
 #include "postproc/report/findings.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
 #include "postproc/report/write_report.h"
