@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -13,63 +11,12 @@
 #include "lib/path/toolpath.h"
 #include "postproc/compare/judge_absence.h"
 #include "postproc/compare/match_findings.h"
+#include "postproc/compare/setup_differences.h"
 #include "postproc/report/report_text.h"
 #include "postproc/result/stored_result.h"
 
 namespace gouge {
 namespace {
-
-// Returns the identities of the tools by their keys. Several tools may have one key, for example no number.
-std::map<std::string, std::set<std::string>> tools_by_key(const StoredResult& result) {
-  std::map<std::string, std::set<std::string>> tools;
-  for (const ToolRecord& tool : result.record.tools) tools[tool.key].insert(tool.identity.value_or(""));
-  return tools;
-}
-
-std::size_t count_accepted(const StoredResult& result) {
-  return static_cast<std::size_t>(std::ranges::count_if(result.findings, [](const EventRecord& finding) {
-    return finding.acceptance && finding.acceptance->is_accepted;
-  }));
-}
-
-// Returns the differences of the set-ups of two runs, a sentence each. Compared are parts, fixtures, heads, placement,
-// tools with the same key, options, and the version of the program. Empty: their findings are directly comparable.
-std::vector<std::string> setup_differences(const StoredResult& before, const StoredResult& after) {
-  std::vector<std::string> all;
-  for (const char* role : {"part", "fixture", "head"}) {
-    if (before.contents_of(role) != after.contents_of(role))
-      all.push_back(std::string("the ") + role + "s are other files");
-  }
-  if (before.record.placement != after.record.placement)
-    all.push_back("the STL files are placed elsewhere, or in another unit");
-  const auto then = tools_by_key(before), now = tools_by_key(after);
-  for (const auto& [key, identities] : then) {
-    const auto same = now.find(key);
-    if (same != now.end() && same->second != identities)
-      all.push_back(stored_tool_label(key) + " has other dimensions");
-  }
-  const auto lengths = [&](const char* what, double a_mm, double b_mm) {
-    if (a_mm < b_mm || a_mm > b_mm)
-      all.push_back(std::string(what) + " is " + length_text(b_mm, after.record.unit) + ", " +
-                    length_text(a_mm, after.record.unit) + " before");
-  };
-  const StoredOptions &a = before.options, &b = after.options;
-  lengths("the tolerance", a.tolerance_mm, b.tolerance_mm);
-  lengths("the resolution", a.resolution_mm, b.resolution_mm);
-  lengths("the stock to leave", a.stock_to_leave_mm, b.stock_to_leave_mm);
-  lengths("the shank's clearance", a.shank_clearance_mm, b.shank_clearance_mm);
-  lengths("the holder's clearance", a.holder_clearance_mm, b.holder_clearance_mm);
-  if (a.limits != b.limits) all.push_back("the limits of single files are others");
-  if (a.law != b.law) all.push_back("the machine, or its law of motion, is another one");
-  if (a.rapid != b.rapid) all.push_back("rapids are checked as " + b.rapid + ", " + a.rapid + " before");
-  if (const auto accepted = count_accepted(after), old = count_accepted(before); accepted != old)
-    all.push_back(std::to_string(accepted) + " of the findings accepted, " + std::to_string(old) + " before");
-  if (const std::size_t moves = after.record.toolpath.moves, old = before.record.toolpath.moves; moves != old)
-    all.push_back("the toolpath has " + count_text(moves, "move") + ", " + std::to_string(old) + " before");
-  if (before.record.program.version != after.record.program.version)
-    all.push_back("gougecheck " + after.record.program.version + ", " + before.record.program.version + " before");
-  return all;
-}
 
 // Returns the facts that are open in the new run and not in the old one, a sentence each.
 std::vector<std::string> newly_open_facts(const StoredResult& before, const StoredResult& after) {
@@ -138,6 +85,7 @@ class Comparer {
       open += move.state == MoveState::not_checked || move.state == MoveState::not_certified ? 1U : 0U;
     made.open_moves = open - std::min(open, after_.record.totals.left_out_as_asked);
     made.open_facts = newly_open_facts(before_, after_);
+    made.excess = compare_excess(before_, after_, options_.same_within_mm);
     return made;
   }
 
@@ -265,8 +213,9 @@ std::size_t Comparison::count(Change change) const {
 }
 
 ExitCode Comparison::exit_status() const {
-  if (count(Change::fresh) + count(Change::deeper) > 0) return kExitGouges;
-  return count(Change::not_checked) + open_moves + open_facts.size() > 0 ? kExitNotChecked : kExitClean;
+  const auto has = [&](Change change) { return count(change) > 0 || (excess && excess->change == change); };
+  if (has(Change::fresh) || has(Change::deeper)) return kExitGouges;
+  return has(Change::not_checked) || open_moves + open_facts.size() > 0 ? kExitNotChecked : kExitClean;
 }
 
 Comparison compare_results(const StoredResult& before, const StoredResult& after, const CompareOptions& options) {

@@ -1,18 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lib/base/exit_code.h"
+#include "postproc/compare/compare_excess.h"
 #include "postproc/result/stored_result.h"
 
 namespace gouge {
-
-enum class Change { fresh, deeper, not_checked, gone, shallower, same };
-inline constexpr std::size_t kChanges = 6;
-/// Returns "new", "deeper", "not-checked-any-more", "gone", "shallower" or "same".
-[[nodiscard]] const char* change_name(Change change);
 
 /// A finding of the new run with the earlier findings that match it, or a finding of the old run that is gone.
 struct ComparedFinding {
@@ -32,10 +29,11 @@ struct Comparison {
   std::size_t open_moves = 0;
   /// facts on which the verdict of the new run rests, and which are open there and were not before, a sentence each
   std::vector<std::string> open_facts = {};
+  std::optional<ExcessComparison> excess = {};  ///< none: no run found material left on the parts
 
   [[nodiscard]] std::size_t count(Change change) const;
-  /// Returns 1 if a finding is new or deeper. Else returns 4 if the new run left a finding unchecked, or has open moves or
-  /// newly open facts; else 0.
+  /// Returns 1 if a finding, or material left on the parts, is new or deeper. Else returns 4 if the new run left one
+  /// unchecked, or has open moves or newly open facts; else 0.
   [[nodiscard]] ExitCode exit_status() const;
 };
 

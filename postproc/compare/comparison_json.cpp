@@ -76,6 +76,8 @@ Json comparison_object(const Comparison& c) {
           {"differences", c.differences},
           {"open_moves", c.open_moves},
           {"open_facts", valid_utf8_texts(c.open_facts)},
+          {"material_left",
+           c.excess ? Json({{"change", change_name(c.excess->change)}, {"text", c.excess->text}}) : Json()},
           {"counts", std::move(counts)},
           {"findings", std::move(findings)}};
 }

@@ -82,7 +82,9 @@ std::string comparison_verdict(const Comparison& comparison) {
 }
 
 std::vector<std::string> comparison_notes(const Comparison& comparison) {
-  std::vector<std::string> all = comparison.open_facts;
+  std::vector<std::string> all;
+  if (comparison.excess) all.push_back(words_of(comparison.excess->change) + ": " + comparison.excess->text);
+  all.insert(all.end(), comparison.open_facts.begin(), comparison.open_facts.end());
   all.insert(all.end(), comparison.differences.begin(), comparison.differences.end());
   if (comparison.open_moves > 0)
     all.push_back(count_text(comparison.open_moves, "move") +

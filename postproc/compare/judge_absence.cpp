@@ -13,6 +13,10 @@ std::size_t count_of(const StoredResult& result, std::string_view role) {
       std::ranges::count_if(result.record.inputs, [&](const InputFile& input) { return input.role == role; }));
 }
 
+bool has_option(const StoredResult& result, std::string_view name) {
+  return std::ranges::any_of(result.record.options.more, [&](const auto& option) { return option.first == name; });
+}
+
 class AbsenceJudge {
  public:
   AbsenceJudge(const StoredResult& before, const StoredResult& after, const MotionAlignment& motions,
@@ -50,9 +54,25 @@ class AbsenceJudge {
   }
 
   [[nodiscard]] Why without_counterpart() const {
+    if (finding_.against == Against::stock) return without_stock();
     const std::string against = against_name(finding_.against);
     if (count_of(after_, against) >= count_of(before_, against)) return std::nullopt;
     return "fewer " + against + "s are given";
+  }
+
+  [[nodiscard]] Why without_stock() const {
+    if (!before_.record.stock) return std::nullopt;
+    if (!after_.record.stock) return "no stock is given";
+    const StockRecord &old = *before_.record.stock, &now = *after_.record.stock;
+    const LengthUnit unit = after_.record.unit;
+    const auto from_to = [&](double a, double b) {
+      return length_text(b, unit) + ", " + length_text(a, unit) + " before";
+    };
+    if (now.tolerance_mm > old.tolerance_mm)
+      return "the tolerance of the stock is " + from_to(old.tolerance_mm, now.tolerance_mm);
+    if (now.resolution_mm > old.resolution_mm)
+      return "the resolution of the stock is " + from_to(old.resolution_mm, now.resolution_mm);
+    return std::nullopt;
   }
 
   [[nodiscard]] Why less_strictly() const {
@@ -62,6 +82,7 @@ class AbsenceJudge {
       return length_text(b, unit) + ", " + length_text(a, unit) + " before";
     };
     if (now.tolerance_mm > old.tolerance_mm) return "the tolerance is " + from_to(old.tolerance_mm, now.tolerance_mm);
+    if (has_option(before_, "extend-up") && !has_option(after_, "extend-up")) return "--extend-up is not given";
     if (now.limits != old.limits) return "the limits of single files are others";
     if (now.law != old.law) return "the machine, or its law of motion, is another one";
     if (now.resolution_mm > old.resolution_mm)

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
@@ -118,6 +119,41 @@ TEST_F(ExcessSample, ABatchHasTheVerdict) {
   const Outcome ran = run_gougecheck(sample_.path, {"batch", "jobs.json", "-o", "out"});
   EXPECT_EQ(ran.exit_status, 1) << ran.err;
   EXPECT_NE(ran.out.find("1 material-left"), std::string::npos) << ran.out;
+}
+
+TEST_F(ExcessSample, CompareJudgesTheMaterialThatIsLeft) {
+  (void)run({"--stock", "box", "--json", "none.json", "-q"});
+  (void)run({"--stock", "box", "--excess", "0.1", "--json", "left.json", "-q"});
+  (void)run({"--stock", "box", "--excess", "1.6", "--json", "coarse.json", "-q"});
+  const auto compared = [&](const char* before, const char* after) {
+    return run_gougecheck(sample_.path, {"compare", before, after, "--json", "c.json"});
+  };
+  for (const auto& [before, after, change, status] : {std::tuple("coarse.json", "left.json", "new", 1),
+                                                      {"none.json", "left.json", "new", 1},
+                                                      {"left.json", "left.json", "same", 0},
+                                                      {"left.json", "coarse.json", "not-checked-any-more", 4},
+                                                      {"left.json", "none.json", "not-checked-any-more", 4}}) {
+    const Outcome ran = compared(before, after);
+    EXPECT_EQ(ran.exit_status, status) << before << after << ran.out;
+    EXPECT_EQ(json_of("c.json").at("material_left").at("change"), change) << before << after;
+    EXPECT_NE(ran.out.find("material left on the part: "), std::string::npos) << ran.out;
+  }
+  EXPECT_NE(compared("left.json", "none.json").out.find("note: --excess is not given, 0.1 before\n"),
+            std::string::npos);
+  EXPECT_EQ(compared("none.json", "coarse.json").exit_status, 0);
+  EXPECT_TRUE(json_of("c.json").at("material_left").is_null());
+}
+
+TEST_F(ExcessSample, TheSarifOfABatchHasThePlacesOfItsJobs) {
+  (void)run({"--stock", "box", "--excess", "0.1", "--sarif", "single.sarif", "-q"});
+  (void)run_gougecheck(sample_.path,
+                       sample_.arguments("batch", sample_.toolpath(),
+                                         {"--stock", "box", "--excess", "0.1", "-o", "night", "--no-reports", "-q"}));
+  const auto notes = [&](const char* file) {
+    return json_of(file).at("runs").at(0).at("invocations").at(0).at("toolExecutionNotifications");
+  };
+  EXPECT_EQ(notes("night/findings.sarif"), notes("single.sarif"));
+  EXPECT_EQ(notes("single.sarif").at(0).at("descriptor").at("id"), "material-left");
 }
 
 }  // namespace
