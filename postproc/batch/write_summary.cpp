@@ -1,6 +1,8 @@
 #include "postproc/batch/write_summary.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
@@ -102,6 +104,15 @@ JunitCase case_without_result(const JobResult& job) {
   return one;
 }
 
+// Adds a note for each place of material that is left on the parts, as the SARIF of a single check has.
+void add_material_left(const JobResult& job, SarifJob& sarif) {
+  const auto found = std::ranges::find(job.cases, kExcessCase, &JunitCase::name);
+  if (found == job.cases.end()) return;
+  std::istringstream places(found->failure_text);
+  const char* const level = found->failure_type.empty() ? "warning" : "error";
+  for (std::string place; std::getline(places, place);) sarif.notes.push_back({level, "material-left", place});
+}
+
 }  // namespace
 
 std::string write_summary_csv(const std::vector<JobResult>& jobs) {
@@ -127,6 +138,7 @@ std::string write_batch_sarif(const std::vector<JobResult>& jobs) {
     if (!job.status) continue;
     SarifJob one{job.toolpath, *job.status, {}, job.findings};
     for (const Diagnostic& warning : job.warnings()) one.notes.push_back(sarif_note_of(warning));
+    add_material_left(job, one);
     if (job.unit.empty()) {
       for (const std::string& remark : job.remarks()) one.notes.push_back({"error", "job-failed", remark});
     }

@@ -57,6 +57,8 @@ struct SarifJob {
 
 /// The type of the failure of a test case about material left on the part.
 inline constexpr const char* kExcessFailure = "excess";
+/// The name of that test case, whose failure_text has a line for each place.
+inline constexpr const char* kExcessCase = "material left on the part";
 
 /// One test case of JUnit: an operation with one tool.
 struct JunitCase {

@@ -127,14 +127,14 @@ JunitCase open_case(const std::vector<std::string>& facts) {
 JunitCase excess_case(const ReportModel& model) {
   const ExcessFacts& facts = *model.result->excess;
   JunitCase made;
-  made.name = "material left on the part";
+  made.name = kExcessCase;
   std::string places;
   for (const ExcessPlaceFacts& place : facts.places)
     places += model.parts[place.part].name + ": " + excess_kind(place) + ": " + excess_place_text(model, place) + "\n";
+  made.failure_text = places;
   if (facts.proved() > 0) {
     made.failure_type = kExcessFailure;
     made.failure_message = excess_text(model);
-    made.failure_text = places;
   } else if (!facts.places.empty()) {
     made.error_message = excess_text(model);
   }
