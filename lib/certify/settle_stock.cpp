@@ -233,17 +233,25 @@ StockResult settle_stock(const Toolpath& path, const CheckSetup& setup, CheckRes
   const StockHistory programs(path, setup.options.law, stock);
   const CutHistory& history = programs.of_path();
   StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
-  result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, found.proved, {}};
+  result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, 0, {}};
   if (stock.excess) result.excess = excess_facts(history, stock, setup, progress);
   Settling settling(path, history, result);
-  for (const StockFinding& finding : found.findings) settling.enter(finding);
+  const auto is_left_out = [&](std::size_t i) { return result.verdicts[i].reason.is(Reason::Kind::rapid_skipped); };
+  std::size_t met = 0;
+  for (const StockFinding& finding : found.findings) {
+    if (is_left_out(finding.move)) continue;
+    settling.enter(finding);
+    ++met;
+  }
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (is_left_out(i)) continue;
     if (found.is_examined[i]) {
       ++result.stock->examined;
     } else {
       settling.leave_open(i);
     }
   }
+  result.stock->clear = result.stock->examined - met;
   return found;
 }
 

@@ -60,6 +60,29 @@ TEST_F(StockSample, ARapidThroughMaterialIsFoundWithItsFirstContact) {
   EXPECT_EQ(report.at("stock").at("clear").get<int>(), 6);
 }
 
+TEST_F(StockSample, ComparisonsJudgeFindingsInStockByTheStrictnessOfTheirCheck) {
+  ASSERT_EQ(run("rapid_stock", {"--stock", "part+5", "--json", "a.json", "-q"}).exit_status, 1);
+  for (const auto& [options, status, text] :
+       {std::tuple(std::vector<std::string>{"--stock", "part+5", "--stock-tolerance", "9"}, 4,
+                   "the tolerance of the stock is 9 mm, 0.1 mm before"),
+        {{}, 4, "no stock is given"},
+        {{"--stock", "box"}, 0, "note: --stock is box, part+5 before"}}) {
+    std::vector<std::string> words = options;
+    words.insert(words.end(), {"--json", "b.json", "-q"});
+    (void)run_again(words);
+    const Outcome ran = run_gougecheck(sample_.path, {"compare", "a.json", "b.json"});
+    EXPECT_EQ(ran.exit_status, status) << ran.out;
+    EXPECT_NE(ran.out.find(text), std::string::npos) << ran.out;
+  }
+}
+
+TEST_F(StockSample, RapidsThatAreSkippedAreNotExamined) {
+  ASSERT_NE(run("rapid_stock", {"--stock", "part+5", "--rapid", "skip", "--json", "a.json", "-q"}).exit_status, 1);
+  const Json stock = json_of("a.json").at("stock");
+  EXPECT_TRUE(stock.at("contacts").empty());
+  EXPECT_EQ(stock.at("examined"), stock.at("clear"));
+}
+
 TEST_F(StockSample, AHolderInAnUncutWallIsFound) {
   EXPECT_EQ(run("holder_stock", {}).exit_status, 0);
   const Outcome ran = run_again({"--stock", "box", "--json", "check.json"});
