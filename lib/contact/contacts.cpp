@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/check/hull_bound.h"
 #include "lib/check/support_plane.h"
 #include "lib/check/sweep_filter.h"
+#include "lib/geom/point_triangle.h"
 #include "lib/geom/triangle.h"
 #include "lib/motion/motion_law.h"
 #include "lib/motion/tool_interval.h"
@@ -19,8 +21,23 @@ constexpr double kRelativeAccuracy = 0.1;
 constexpr double kSmallestPiece_mm = 0.02;
 // Maximum number of pieces of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
 constexpr int kMaxPieces = 1000;
+constexpr int kMaxSteps = 16;           // maximum number of steps to the deepest point at an edge of a triangle
+constexpr std::size_t kNeighbours = 2;  // neighbours of the nearest element that may be nearest to the deepest point
 // Maximum by which a reported excess above 0 may be below the true one.
 constexpr double kGap_mm = 0.05;
+
+/// Returns the radial unit vector of a direction or point in tool coordinates; `fallback` if it is along the axis.
+Vec3 radial_or(const Vec3& v, const Vec3& fallback) {
+  const Vec3 across(v.x(), v.y(), 0);
+  return across.norm() > Tolerance::kSameDirection ? across.normalized() : fallback;
+}
+
+/// Returns the point of the half plane `out` from which depth in an element is measured: the center of an arc. For
+/// other elements it is q itself, turned about the axis.
+Vec3 focus_of(const BoundaryElement& element, const Vec3& q, const Vec3& out) {
+  if (element.kind == ElementKind::arc) return element.center.x() * out + element.center.y() * Vec3::UnitZ();
+  return q.head<2>().norm() * out + q.z() * Vec3::UnitZ();
+}
 
 class Collector {
  public:
@@ -58,9 +75,42 @@ class Collector {
       const std::array<Vec3, 3> corners = tree_.corners(leaf.triangle[i]);
       refine(corners);
       const Vec3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-      if (across.norm() > 0) best_.face = across.normalized();
-      if (best_.excess_mm > notable_mm_) contacts_.push_back(best_);
+      const Vec3 face = across.norm() > 0 ? Vec3(across.normalized()) : Vec3::Zero();
+      if (!(best_.excess_mm > notable_mm_)) continue;
+      if (face.squaredNorm() > 0) turn_to_face(corners, face);
+      follow_round(corners);
+      best_.face = face;
+      contacts_.push_back(best_);
     }
+  }
+
+  /// Tries the points at which the tool's normal is that of the face. Within the accuracy of the search a ball is
+  /// almost as deep several degrees beside them.
+  void turn_to_face(const std::array<Vec3, 3>& t, const Vec3& face) {
+    const ToolSample found = sample_tool(tool_, frame_.to_tool(best_.point));
+    const Vec3 into_face = frame_.rows * (face.dot(best_.normal) < 0 ? face : Vec3(-face));
+    const Vec3 out = radial_or(into_face, radial_or(found.q, Vec3::UnitX()));
+    const std::size_t nearest = found.nearest.element, last = tool_.elements.size() - 1;
+    const std::size_t first = nearest - std::min(nearest, kNeighbours);
+    for (std::size_t k = first; k <= std::min(nearest + kNeighbours, last); ++k)
+      try_nearest(t, focus_of(tool_.elements[k], found.q, out));
+  }
+
+  /// Approaches the deepest point at an edge or corner of the triangle, which is nearest to the center of the tool's
+  /// rounding there.
+  void follow_round(const std::array<Vec3, 3>& t) {
+    for (int step = 0; step < kMaxSteps; ++step) {
+      const ToolSample found = sample_tool(tool_, frame_.to_tool(best_.point));
+      const BoundaryElement& element = tool_.elements[found.nearest.element];
+      const double before = best_.excess_mm;
+      if (element.kind != ElementKind::arc || element.is_reflex) return;
+      try_nearest(t, focus_of(element, found.q, radial_or(found.q, Vec3::UnitX())));
+      if (best_.excess_mm - before <= Tolerance::kRounding_mm) return;
+    }
+  }
+
+  void try_nearest(const std::array<Vec3, 3>& t, const Vec3& q_tool) {
+    try_point(closest_on_triangle(frame_.rows.transpose() * q_tool + frame_.tip, t).point);
   }
 
   ToolSample try_point(const Vec3& p) {
@@ -84,7 +134,7 @@ class Collector {
     const ToolSample middle = try_point(centre);
     const double above = std::min(0.0, aim_);  // offset of the depth and of the bound, which ends at the reach
     if (radius - middle.nearest.signed_distance_mm - above <= lower_cutoff_mm()) return;
-    if (is_as_deep_as_plane(t, middle, above)) return;
+    if (is_as_deep_as_plane(t, middle, radius, above)) return;
     for (const Vec3& corner : t) try_point(corner);
     const double enough = lower_cutoff_mm();
     // The bound by planes shows at once that a face lying in a face is equally deep everywhere.
@@ -96,13 +146,21 @@ class Collector {
 
   // Returns whether the piece is no deeper than allowed. Over most small pieces the plane that touches the tool next to
   // the middle replaces the tool. Behind it, a corner is deepest.
-  bool is_as_deep_as_plane(const std::array<Vec3, 3>& t, const ToolSample& middle, double above) {
+  bool is_as_deep_as_plane(const std::array<Vec3, 3>& t, const ToolSample& middle, double radius, double above) {
     const SupportPlane plane = support_plane(tool_, middle);
     std::array<double, 3> depth{};
-    for (std::size_t k = 0; k < 3; ++k) depth[k] = plane.depth_mm(frame_.to_tool(t[k]));
+    SupportedSet piece{middle.q.z(), middle.q.z(), 0, std::max(0.0, middle.q.head<2>().norm() - radius)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 corner = frame_.to_tool(t[k]);
+      depth[k] = plane.depth_mm(corner);
+      piece.z_lo_mm = std::min(piece.z_lo_mm, corner.z());
+      piece.z_hi_mm = std::max(piece.z_hi_mm, corner.z());
+    }
     const auto deepest = std::max_element(depth.begin(), depth.end());
     try_point(t[static_cast<std::size_t>(deepest - depth.begin())]);
-    return *deepest - above <= lower_cutoff_mm();
+    piece.largest_depth_mm = *deepest;
+    // Without this test, the plane of a wide holder would hide a cutter that reaches beyond it.
+    return *deepest - above <= lower_cutoff_mm() && supports(tool_, plane, piece, 0);
   }
 
   const ToolInterval& interval_;

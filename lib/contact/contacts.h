@@ -23,8 +23,8 @@ struct CorrectionAim {
 };
 
 /// Returns one contact for every triangle that exceeds the aim by more than `notable_mm` >= 0. The contact is the
-/// triangle's deepest point, to a tenth of its excess. The order is that of the tree. Cost O(triangles inside the
-/// tool).
+/// triangle's deepest point, to a tenth of its excess. Where a rounded tool meets a flat face, the normal of the deepest
+/// contact is exactly that of the face. The order is that of the tree. Cost O(triangles inside the tool).
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool,
                                                      const PreparedScene& scene, const CorrectionAim& aim,
                                                      double notable_mm = 0);
