@@ -31,11 +31,16 @@ std::optional<LinkNodes> LinkFinder::keep_to_programmed(const LinkNode& u, const
   return std::nullopt;
 }
 
-/// Returns the clean intervals that are long enough for a position and in which the tool is outside.
+/// Returns the clean intervals that are long enough for a position and in which the tool is outside. They are clean to
+/// the tolerance without the resolution. So a path from one of their ends is not too deep at this end.
 std::vector<TimeInterval> LinkFinder::clean_programmed() const {
   const Motion& motion = *task_.programmed;
-  std::vector<TimeInterval> clean = find_clean_intervals(
-      motion, [&](double first, double last) { return is_clean(motion.at(first), motion.at(last)); });
+  CheckOptions options = task_.options;
+  options.tolerance_mm = std::max(0.0, options.tolerance_mm - options.resolution_mm);
+  std::vector<TimeInterval> clean = find_clean_intervals(motion, [&](double first, double last) {
+    return task_.checker->is_clean(motion_between(motion.at(first), motion.at(last)), task_.kind, *task_.tool, options,
+                                   true);
+  });
   std::erase_if(clean, [&](const TimeInterval& interval) {
     const Pose first = motion.at(interval.first), last = motion.at(interval.last);
     const bool is_end = interval.first <= 0 || interval.last >= 1;
@@ -64,6 +69,27 @@ std::optional<std::size_t> LinkFinder::chain(const LinkNode& u, const LinkNode& 
   return std::nullopt;
 }
 
+/// Finds a straight path from one clean interval to the next, which may leave both ends of the gap where it stays near
+/// the programmed motion. It shortens both intervals as cross() does.
+bool LinkFinder::cross_straight(GapEnd& left, GapEnd& right) const {
+  const double length = (task_.programmed->at(1).tip - task_.programmed->at(0).tip).norm();
+  const auto try_at = [&](double left_t, double right_t) {
+    const LinkNode from = left.is_fixed ? left.node : hold(left_t), to = right.is_fixed ? right.node : hold(right_t);
+    if (!stays_near(from, to) || !is_clean(from.pose(), to.pose())) return false;
+    left.room.last = left_t;
+    right.room.first = right_t;
+    return true;
+  };
+  if (try_at(left.room.last, right.room.first)) return true;
+  for (const double back_mm : kBack_mm) {
+    const double back = length > back_mm ? back_mm / length : 1;
+    const double left_t = std::max(left.room.first, left.room.last - back);
+    const double right_t = std::min(right.room.last, right.room.first + back);
+    if (try_at(left_t, right.room.first) || try_at(left.room.last, right_t) || try_at(left_t, right_t)) return true;
+  }
+  return false;
+}
+
 /// Finds a path from one clean interval to the next. It shortens both to the part that the path leaves of them.
 std::optional<LinkNodes> LinkFinder::cross(GapEnd& left, GapEnd& right) {
   double tried_left = left.room.last, tried_right = right.room.first;
@@ -75,6 +101,7 @@ std::optional<LinkNodes> LinkFinder::cross(GapEnd& left, GapEnd& right) {
     right.room.first = right_t;
     return true;
   };
+  if (cross_straight(left, right)) return LinkNodes{};
   if (try_at(tried_left, tried_right, Search::thorough)) return waypoints;
   const double length = (task_.programmed->at(1).tip - task_.programmed->at(0).tip).norm();
   for (const double back_mm : kBack_mm) {

@@ -65,6 +65,7 @@ class LinkFinder {
   // keep_to_programmed.cpp: a path that stays on the programmed motion where that is clean
   std::optional<LinkNodes> keep_to_programmed(const LinkNode& u, const LinkNode& v);
   std::optional<std::size_t> chain(const LinkNode& u, const LinkNode& v, LinkNodes& waypoints);
+  [[nodiscard]] bool cross_straight(GapEnd& left, GapEnd& right) const;
   std::optional<LinkNodes> cross(GapEnd& left, GapEnd& right);
   std::optional<LinkNodes> link_ends(const GapEnd& left, const GapEnd& right, double left_t, double right_t,
                                      Search search);

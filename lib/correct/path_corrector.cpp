@@ -155,15 +155,16 @@ void PathCorrector::correct_position(std::size_t i) {
   if (move.tool == kNone || tools_[move.tool] == nullptr) return;
   const ToolVariants& tool = *tools_[move.tool];
   work.depth_before_mm = depth_at(move.end, i);
-  // A position within the tolerance is left alone, even if it is deeper than the aim of a correction.
-  const double within = kMotionAimShare * options_.tolerance_mm;
+  // A position within the tolerance is left alone, even if it is deeper than the aim of a correction. A motion that ends
+  // at it must not be too deep there, so the accuracy of the test is taken off.
+  const double accuracy = options_.resolution_mm / 4;
+  const double within = std::max(0.0, kMotionAimShare * options_.tolerance_mm - accuracy);
   const CorrectionAim allowed{within, within, 0};
   const PoseLimits usual = limits_for(tool);
   PoseLimits now = usual;
   now.aim = allowed;
   const bool is_head_in = head_excess(move.end, checker_, now) > 0;
-  const bool is_in_mesh =
-      is_head_in || largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) > 0;
+  const bool is_in_mesh = is_head_in || largest_excess(move.end, tool, checker_.scene(), allowed, accuracy) > 0;
   const bool is_in_stock = is_end_in_stock(i);
   if (!is_in_mesh && !is_in_stock) return;
   work.failure = reason_to_leave(i);

@@ -7,6 +7,7 @@
 #include "tests/samples/csv.h"
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/small_shop.h"
 
 // Corrected samples re-check clean, and what did not gouge stays byte for byte.
 
@@ -95,6 +96,54 @@ TEST_P(Corrections, AreTheSameBytesAtOneAndTwoThreads) {
   EXPECT_FALSE(text_of(sample.path + "/1/corrected").empty());
   EXPECT_EQ(text_of(sample.path + "/1/corrected"), text_of(sample.path + "/2/corrected"));
   EXPECT_EQ(text_of(sample.path + "/1/all.csv"), text_of(sample.path + "/2/all.csv"));
+}
+
+// Tools over a plate whose top is two triangles: the path runs beside their common diagonal and across it.
+constexpr const char* kTools[] = {"CUTTER/10,0", "CUTTER/10,5", "CUTTER/10,2"};
+
+std::string of_tool(const std::string& cutter) { return "PARTNO/SHOP\nUNITS/MM\n" + cutter + "\nLOADTL/1\n"; }
+
+TEST(CorrectionsOfAPlate, ShiftsAreExactlyAlongItsNormal) {
+  for (const char* const cutter : kTools) {
+    const SmallShop shop;
+    shop.write("path.apt", path_text(stations({{30, -0.1}, {40, -0.25}, {50, -0.25}, {60, -0.05}}), of_tool(cutter)));
+    const Outcome ran = shop.run({"correct", "path.apt", "--part", "part.stl", "-o", "fixed.apt", "--json", "f.json"});
+    ASSERT_TRUE(shop.json("f.json").contains("correction")) << ran.err;
+    const nlohmann::json changes = shop.json("f.json").at("correction").at("changes");
+    EXPECT_GE(changes.size(), 4U) << cutter;
+    for (const auto& change : changes) {
+      const auto& shift = change.at("shift");
+      EXPECT_NEAR(shift.at(0).get<double>(), 0, 1e-6) << cutter;
+      EXPECT_NEAR(shift.at(1).get<double>(), 0, 1e-6) << cutter;
+    }
+    EXPECT_NE(ran.out.find("0 left as they were"), std::string::npos) << ran.out;
+  }
+}
+
+/// The path of path_text without the feed beyond the plate; the tool leaves the last station upwards.
+std::string path_that_ends_on_the_plate(double depth, const std::string& cutter) {
+  const std::string text = path_text(stations({{90, depth}}), of_tool(cutter));
+  return text.substr(0, text.find("GOTO/120")) + "RAPID\nGOTO/90,50,30\nFINI\n";
+}
+
+TEST(CorrectionsOfAPlate, ARampIntoItGetsAnotherEndAndNothingElse) {
+  for (const char* const cutter : kTools) {
+    for (const double depth : {-0.02, -0.05, -0.25}) {
+      const SmallShop shop;
+      const std::string path = path_that_ends_on_the_plate(depth, cutter);
+      shop.write("path.apt", path);
+      const Outcome ran = shop.run({"correct", "path.apt", "--part", "part.stl", "-o", "fixed.apt"});
+      const std::vector<std::string> before = lines_of(path), after = lines_of(shop.read("fixed.apt"));
+      ASSERT_EQ(before.size(), after.size()) << ran.out << ran.err << shop.read("fixed.apt");
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        if (begins_with(before[i], "GOTO/90.")) {
+          EXPECT_EQ(after[i], "GOTO/90.000000,50,-0.003") << cutter;
+        } else {
+          EXPECT_EQ(after[i], before[i]) << cutter;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

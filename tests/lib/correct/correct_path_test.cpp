@@ -106,6 +106,40 @@ TEST(CorrectPath, ChangesTheTwoDipsAndNothingElse) {
   }
 }
 
+// The programmed ramp leaves the tolerance so slowly that the end of its clean part is as deep as a clean motion may be.
+TEST(CorrectPath, ARampIntoTheSurfaceBecomesTheStraightFeedToItsCorrectedEnd) {
+  for (const ToolVariants& tool : {tools::flat(12), tools::ball()}) {
+    for (const Strategy strategy : {Strategy::normal, Strategy::weighted, Strategy::axis}) {
+      for (const double depth : {0.012, 0.02, 0.05, 0.1, 0.25, 0.5}) {
+        Case c;
+        c.tool = tool;
+        c.path = paths::through({upright(-20, 0.3, 0), upright(10, 0.3, 0), upright(40, 0.3, -depth)});
+        c.scene.parts = {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))};
+        c.correct.strategies = BodyStrategies::all(strategy);
+        const Correction correction = propose(c);
+        expect_clean_again(c, correction);
+        ASSERT_EQ(correction.changes.size(), 1U) << depth;
+        EXPECT_TRUE(correction.changes[0].inserted_before.empty()) << depth;
+        ASSERT_TRUE(correction.changes[0].new_end.has_value());
+        EXPECT_NEAR(correction.changes[0].new_end->tip.z(), -0.003, 0.0025) << depth;
+      }
+    }
+  }
+}
+
+TEST(CorrectPath, NoPositionOfARampRisesOutOfTheSurface) {
+  // Ends about as deep as a motion may be, where the accuracy of the search decides.
+  for (const double start : {-0.0078, -0.0081, -0.0084, -0.009, -0.0099}) {
+    Case c;
+    c.tool = tools::flat(12);
+    c.path = paths::through({upright(-20, 0.3, start), upright(10, 0.3, start), upright(40, 0.3, -0.05)});
+    c.scene.parts = {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))};
+    const Correction correction = propose(c);
+    expect_clean_again(c, correction);
+    for (const Move& move : applied(c.path, correction).moves) EXPECT_LE(move.end.tip.z(), 0.001) << start;
+  }
+}
+
 TEST(CorrectPath, StaysOnTheCutUpToBothSidesOfARib) {
   Case c;
   c.path = paths::through({upright(-20, 0.3, 0), upright(20, 0.3, 0)});
