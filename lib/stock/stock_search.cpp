@@ -120,6 +120,7 @@ class Search {
       if (q_.head != nullptr && is_outside_head(next.piece)) continue;
       if (is_free(next)) continue;
       if (take_witness(next)) return answer_;
+      if (is_no_deeper(next.piece, q_.body, depth_mm_ + q_.options.resolution_mm, column_.range)) continue;
       if (q_.is_clear_alone && is_left(next)) return answer_;
       if (!divide(next)) ++open;
     }

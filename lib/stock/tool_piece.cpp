@@ -145,16 +145,75 @@ void divide_piece(const ToolPiece& piece, Division division, const CompiledTool&
   }
 }
 
+namespace {
+
+/// A box or sector in the half plane of the tool: a disc that contains it, its least radius, and its heights.
+struct HalfPlanePart {
+  double r_mm = 0, z_mm = 0, reach_mm = 0;
+  double least_r_mm = 0, half_height_mm = 0;
+};
+
+HalfPlanePart half_plane_part(const ToolPiece& piece) {
+  HalfPlanePart part;
+  part.z_mm = piece.center.z();
+  part.half_height_mm = piece.half.z();
+  if (piece.is_sector()) {
+    // All points are within the extents in radius and height of the middle.
+    part.r_mm = piece.center.x();
+    part.reach_mm = Vec2(piece.half.x(), piece.half.z()).norm();
+    part.least_r_mm = std::max(0.0, piece.center.x() - piece.half.x());
+  } else {
+    part.r_mm = piece.center.head<2>().norm();
+    part.reach_mm = piece.ball_mm();
+    part.least_r_mm = (piece.center.cwiseAbs() - piece.half).cwiseMax(0).head<2>().norm();
+  }
+  return part;
+}
+
+// Parts of a range after which a proof along it is given up.
+constexpr int kMaxRangeParts = 64;
+
+/// Halves a range of heights until a bound proves each part. Two bounds serve: the radius of deep points is exact along
+/// walls that are parallel to the axis, and the distance from the boundary is exact for small ranges of any shape.
+class DepthAlong {
+ public:
+  DepthAlong(const HalfPlanePart& part, const CompiledTool& body, double depth_mm)
+      : part_(part), body_(body), depth_mm_(depth_mm) {}
+
+  bool is_no_deeper(double lo_mm, double hi_mm) {
+    if (++parts_ > kMaxRangeParts) return false;
+    const double middle = 0.5 * (lo_mm + hi_mm);
+    const double room = signed_distance_mm(body_, part_.r_mm, part_.z_mm - middle) - part_.reach_mm + depth_mm_;
+    if (room < 0) return false;
+    if (room >= 0.5 * (hi_mm - lo_mm)) return true;
+    const double low = part_.z_mm - part_.half_height_mm - hi_mm, high = part_.z_mm + part_.half_height_mm - lo_mm;
+    if (part_.least_r_mm > widest_radius_mm(body_, low, high, depth_mm_) + Tolerance::kRounding_mm) return true;
+    return is_no_deeper(lo_mm, middle) && is_no_deeper(middle, hi_mm);
+  }
+
+ private:
+  const HalfPlanePart& part_;
+  const CompiledTool& body_;
+  double depth_mm_;
+  int parts_ = 0;
+};
+
+}  // namespace
+
 double depth_upper_mm(const ToolPiece& piece, const CompiledTool& body, const AxialRange& along) {
   const double half_way = 0.5 * (along.hi_mm - along.lo_mm), middle_way = 0.5 * (along.hi_mm + along.lo_mm);
   if (piece.is_cylinder()) {
     const double low = piece.z_lo_mm - along.hi_mm, high = piece.z_hi_mm - along.lo_mm;
     return std::min({widest_radius_mm(body, low, high), high - body.z_min_mm, body.z_max_mm - low});
   }
-  // All points of a sector are within its extents in radius and height of its middle, in the half plane of the tool.
-  const double r = piece.is_sector() ? piece.center.x() : piece.center.head<2>().norm();
-  const double reach = piece.is_sector() ? Vec2(piece.half.x(), piece.half.z()).norm() : piece.ball_mm();
-  return half_way + reach - signed_distance_mm(body, r, piece.center.z() - middle_way);
+  const HalfPlanePart part = half_plane_part(piece);
+  return half_way + part.reach_mm - signed_distance_mm(body, part.r_mm, part.z_mm - middle_way);
+}
+
+bool is_no_deeper(const ToolPiece& piece, const CompiledTool& body, double depth_mm, const AxialRange& along) {
+  if (piece.is_cylinder() || !(along.hi_mm > along.lo_mm)) return false;
+  const HalfPlanePart part = half_plane_part(piece);
+  return DepthAlong(part, body, depth_mm).is_no_deeper(along.lo_mm, along.hi_mm);
 }
 
 namespace {

@@ -429,5 +429,18 @@ TEST_F(StockSample, OfStockThatIsCutAwayNoMeshIsWritten) {
   EXPECT_EQ(text_of(sample_.path + "/left.stl"), "");
 }
 
+TEST_F(StockSample, ARapidStraightUpFromAnOwnCutIsClear) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(sample_.path + "/block.stl", box_stl({0, 0, -20}, {80, 60, 0}));
+  write_text(sample_.path + "/ball.json", R"({"units": "mm", "tools": [{"number": 1, "name": "ball",
+      "cutter": {"shape": "ball", "diameter": 10, "length": 30}}]})");
+  write_text(sample_.path + "/up.apt",
+             "UNITS/MM\nMULTAX/ON\nLOADTL/1\nRAPID\nGOTO/30,30,30\nFEDRAT/800\nGOTO/30,30,0\nGOTO/60,30,0\nRAPID\n"
+             "GOTO/60,30,30\nRAPID\nGOTO/60,30,0\nFINI\n");
+  const Outcome ran = run_gougecheck(
+      sample_.path, {"check", "up.apt", "--part", "block.stl", "--tools", "ball.json", "--stock", "box=2"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::stock_test

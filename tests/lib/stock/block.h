@@ -63,20 +63,27 @@ inline ToolVariants flat(double diameter, double flutes, double shank_diameter, 
 }
 
 /// Returns a program of feeds and rapids about the upper face of a small block, whose face is z = 0. In moves of five axes
-/// the tool axis turns by up to about `turn_rad`.
-inline Toolpath random_program(test::Scatter& scatter, bool is_five_axis, int positions, double turn_rad = 0.15) {
-  std::vector<Pose> poses;
+/// the tool axis turns by up to about `turn_rad`. After this share of the positions the tool leaves it along its axis and
+/// comes back, both in rapid.
+inline Toolpath random_program(test::Scatter& scatter, bool is_five_axis, int positions, double turn_rad = 0.15,
+                               double axial_share = 0) {
+  std::vector<Step> steps;
   Vec3 tip = scatter.point(12), axis = is_five_axis ? scatter.axis(0.5) : Vec3::UnitZ();
   tip.z() = scatter.in(-6, 6);
   for (int k = 0; k < positions; ++k) {
-    poses.push_back({tip, axis});
+    const Pose pose{tip, axis};
+    steps.push_back({kFeed, pose});
+    if (axial_share > 0 && scatter.is(axial_share)) {
+      steps.push_back({kRapid, {Vec3(tip + scatter.in(0.5, 15) * axis), axis}});
+      steps.push_back({kRapid, pose});
+    }
     tip += scatter.point(scatter.is(0.5) ? 2 : 12);
     tip = tip.cwiseMin(Vec3(14, 14, 8)).cwiseMax(Vec3(-14, -14, -9));
     if (is_five_axis && scatter.is(0.7)) axis = Vec3((axis + turn_rad * scatter.point(1)).normalized());
   }
-  Toolpath path = paths::through(poses);
-  for (Move& move : path.moves) move.kind = scatter.is(0.3) ? MoveKind::rapid : MoveKind::feed;
-  return path;
+  for (Step& step : steps)
+    if (step.kind == kFeed && scatter.is(0.3)) step.kind = kRapid;
+  return path_of(steps);
 }
 
 /// Small tools of all shapes of cutters, with a shank and a holder close above their flutes.
