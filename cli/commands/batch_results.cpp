@@ -128,7 +128,6 @@ Result<CertificateFile> read_certificate_of(const ListedJob& job, const InputLim
 std::string describe_no_batch(const std::string& name) {
   std::error_code ignored;
   const fs::path path(name);
-  if (!fs::exists(path, ignored)) return "does not exist";
   if (!fs::is_directory(path, ignored)) return "is a file; expected the folder of another batch";
   if (is_interrupted_batch(name)) return kIsInterrupted;
   if (fs::exists(result_in(name), ignored)) return "is the report of one job; expected the folder of another batch";

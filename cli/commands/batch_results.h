@@ -54,7 +54,7 @@ struct CertificateFile {
 /// and those of read_file.
 [[nodiscard]] Result<CertificateFile> read_certificate_of(const ListedJob& job, const InputLimit& limit);
 
-/// Returns why a folder or file is not the folder of a batch that ended, with the remedy, as the rest of a sentence that
+/// Returns why a folder or file that exists is not the folder of a batch that ended, with the remedy, as the rest of a sentence that
 /// begins with its name.
 [[nodiscard]] std::string describe_no_batch(const std::string& name);
 

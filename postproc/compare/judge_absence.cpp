@@ -60,14 +60,15 @@ class AbsenceJudge {
     return "fewer " + against + "s are given";
   }
 
+  [[nodiscard]] std::string from_to(double old_mm, double now_mm) const {
+    const LengthUnit unit = after_.record.unit;
+    return length_text(now_mm, unit) + ", " + length_text(old_mm, unit) + " before";
+  }
+
   [[nodiscard]] Why without_stock() const {
     if (!before_.record.stock) return std::nullopt;
     if (!after_.record.stock) return "no stock is given";
     const StockRecord &old = *before_.record.stock, &now = *after_.record.stock;
-    const LengthUnit unit = after_.record.unit;
-    const auto from_to = [&](double a, double b) {
-      return length_text(b, unit) + ", " + length_text(a, unit) + " before";
-    };
     if (now.tolerance_mm > old.tolerance_mm)
       return "the tolerance of the stock is " + from_to(old.tolerance_mm, now.tolerance_mm);
     if (now.resolution_mm > old.resolution_mm)
@@ -77,10 +78,6 @@ class AbsenceJudge {
 
   [[nodiscard]] Why less_strictly() const {
     const StoredOptions &old = before_.options, &now = after_.options;
-    const LengthUnit unit = after_.record.unit;
-    const auto from_to = [&](double a, double b) {
-      return length_text(b, unit) + ", " + length_text(a, unit) + " before";
-    };
     if (now.tolerance_mm > old.tolerance_mm) return "the tolerance is " + from_to(old.tolerance_mm, now.tolerance_mm);
     if (has_option(before_, "extend-up") && !has_option(after_, "extend-up")) return "--extend-up is not given";
     if (now.limits != old.limits) return "the limits of single files are others";
