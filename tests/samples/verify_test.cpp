@@ -32,6 +32,21 @@ Outcome verify(const SampleFolder& sample, const std::vector<std::string>& more 
 
 json result_of(const SampleFolder& sample) { return json::parse(text_of(sample.path + "/result.json")); }
 
+/// What a refutation states, and the change of a result that it refutes.
+using Changes = std::vector<std::pair<const char*, std::function<void(json&)>>>;
+
+/// That each change of `whole`, with a right digest, is refuted.
+void expect_refuted(const SampleFolder& sample, const json& whole, const Changes& changes) {
+  for (const auto& [what, change] : changes) {
+    json changed = whole;
+    change(changed);
+    write_text(sample.path + "/result.json", sealed(changed));
+    const Outcome ran = verify(sample, {});
+    EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find(what), std::string::npos) << ran.out;
+  }
+}
+
 class Verify : public ::testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Samples, Verify, ::testing::ValuesIn(sample_names()),
@@ -259,20 +274,13 @@ TEST(VerifyCommand, AResultThatSaysWhatCannotBeIsRefusedByLineAndField) {
 TEST(VerifyCommand, FindsAVerdictThatIsNotThatOfTheMoves) {
   const SampleFolder sample = checked_sample("pocket");
   const json whole = result_of(sample);
-  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes = {
+  const Changes changes = {
       {"its verdict is 'clean', that of its totals 'gouges'", [](json& r) { r["verdict"] = "clean"; }},
       {"its verdict is 'accepted-gouges', that of its totals 'gouges'",
        [](json& r) { r["verdict"] = "accepted-gouges"; }},
       {"its exit status is 0, that of its verdict 1", [](json& r) { r["exit_status"] = 0; }},
   };
-  for (const auto& [what, change] : changes) {
-    json changed = whole;
-    change(changed);
-    write_text(sample.path + "/result.json", sealed(changed));
-    const Outcome ran = verify(sample, {});
-    EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
-    EXPECT_NE(ran.out.find(what), std::string::npos) << ran.out;
-  }
+  expect_refuted(sample, whole, changes);
 }
 
 // The verdict "accepted gouges" rests on the file of accepted findings, so that file and what it accepts are verified.
@@ -287,19 +295,12 @@ TEST(VerifyCommand, VerifiesAcceptancesByTheFileOfAcceptedFindings) {
   const Outcome right = verify(sample, {});
   EXPECT_EQ(right.exit_status, 0) << right.out << right.err;
   const json whole = result_of(sample);
-  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes = {
+  const Changes changes = {
       {"its '/baseline/entries/0/by' is \"c\"", [](json& r) { r["baseline"]["entries"][0]["by"] = "c"; }},
       {"its '/baseline/accepted_moves' is 99", [](json& r) { r["baseline"]["accepted_moves"] = 99; }},
       {"its '/events/0/acceptance/is_accepted' is false",
        [](json& r) { r["events"][0]["acceptance"]["is_accepted"] = false; }}};
-  for (const auto& [what, change] : changes) {
-    json changed = whole;
-    change(changed);
-    write_text(sample.path + "/result.json", sealed(changed));
-    const Outcome ran = verify(sample, {});
-    EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
-    EXPECT_NE(ran.out.find(what), std::string::npos) << ran.out;
-  }
+  expect_refuted(sample, whole, changes);
   write_text(sample.path + "/result.json", whole.dump(1) + "\n");
   EXPECT_EQ(run({"accept", "accepted.json", "--withdraw", "1"}).exit_status, 0);
   const Outcome withdrawn = verify(sample, {});
