@@ -8,68 +8,19 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
-#include "lib/check/overcut_gap.h"
 #include "lib/check/verdict_bytes.h"
 #include "lib/motion/motion.h"
 #include "lib/motion/motion_law.h"
+#include "lib/overcut/depth_bound.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_solid.h"
 #include "lib/overcut/swept_tool.h"
-#include "lib/tool/free_regions.h"
-#include "lib/tool/inscribed_balls.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kCellsOfOthers = 2'000;  // maximum number of cells for a move that is not the worst of its
                                                // finding
-
-constexpr double kSlack_mm = 0.1 * kOvercutGap_mm;
-constexpr double kRegionRounding = 2e-5;  // share of the height: twice the length that RegionFinder ignores
-
-/// A bound of an overcut that follows from the depth of the move.
-struct KnownOvercut {
-  double upper_mm = 0;            ///< upper bound of the distance below the surface for all points of the tool outside
-                                  ///< of the zones
-  std::vector<Box2> sharp_zones;  ///< zones of the tool's half plane
-};
-
-/// The reach of a tool below a surface, derived from the depth of the surface in the tool. Except near sharp corners,
-/// and where the tool is thin, the reach does not exceed the depth. The part of the tool that the surface does not
-/// reach is outside. A ball inscribed there leads from every other point to the surface.
-/// Proof: docs/method/overcut.md, section 2.
-class DepthBound {
- public:
-  /// Prepares the bound. Cost: some thousand evaluations of the tool, which must outlive it.
-  explicit DepthBound(const CompiledTool& tool);
-
-  /// Returns the bound for a motion during which the surface of `part` is nowhere deeper in the tool than
-  /// `depth_upper_mm`. Returns nothing if the depth does not bound the reach. That is so for a tool that turns back in
-  /// height, is thinner than twice the depth, or has a core in the part.
-  /// Requires the boundary of a solid.
-  [[nodiscard]] std::optional<KnownOvercut> at(double depth_upper_mm, const Motion& motion, const Surface& part) const;
-
- private:
-  const CompiledTool& tool_;
-  InscribedBalls balls_;
-  RegionFinder regions_;
-};
-
-DepthBound::DepthBound(const CompiledTool& tool) : tool_(tool), balls_(tool, kSlack_mm), regions_(tool) {}
-
-std::optional<KnownOvercut> DepthBound::at(double depth_upper_mm, const Motion& motion, const Surface& part) const {
-  if (!balls_.is_single_valued()) return std::nullopt;
-  const FreeRegions free = regions_.at(depth_upper_mm);
-  const Pose pose = motion.at(0);
-  const Vec3 across = pose.axis.unitOrthogonal();
-  const auto is_outside = [&](const FreeRegion& region) {
-    const Vec3 deepest = pose.tip + region.deepest.y() * pose.axis + region.deepest.x() * across;
-    return !part.closest_point(deepest)->is_inside;
-  };
-  if (free.regions.empty() || !std::all_of(free.regions.begin(), free.regions.end(), is_outside)) return std::nullopt;
-  const double deeper = depth_upper_mm + kRegionRounding * (tool_.z_max_mm - tool_.z_min_mm);
-  return KnownOvercut{depth_upper_mm + kSlack_mm, balls_.sharp_zones(deeper)};
-}
 
 /// The measurement of the overcuts of one path's gouging moves.
 class Measuring {
@@ -130,7 +81,7 @@ class Measuring {
     static_cast<void>(surface.boundary().tree());
     gouges_.push_back(move);
     const std::size_t tool = toolpath_.moves[move].tool;
-    depth_bounds_.try_emplace(tool, tools_[tool]->bare);
+    depth_bounds_.try_emplace(tool, tools_[tool]->bare).first->second.prepare(result_.verdicts[move].depth_upper_mm);
   }
 
   /// Returns the motions that the law admits for a move.
@@ -148,10 +99,9 @@ class Measuring {
     const Surface& part = surface_of(verdict).boundary();
     // The place of the tool's boundary at the depth of the witness.
     const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
-    const auto join = [&](SweptSolid&& moving, double rounded_bound_mm) {
+    const auto join = [&](SweptSolid&& moving) {
       OvercutOptions search;
-      if (!is_worst_[move]) search.max_cells = kCellsOfOthers;
-      search.rounded_bound_mm = rounded_bound_mm;
+      if (!is_worst_[move]) search = {kCellsOfOthers, true};
       const Overcut found = find_overcut(moving, part, seed, verdict.witness->t, search);
       const OvercutBounds before = verdict.overcut.value_or({});
       verdict.overcut =
@@ -159,13 +109,10 @@ class Measuring {
     };
     for (const Motion& one : motions_of(motion)) {
       if (verdict.witness->body == Body::head) {
-        for (const HeadBody& body : heads_) join(SweptHead(one, body), kUnknown_mm);
+        for (const HeadBody& body : heads_) join(SweptHead(one, body));
         continue;
       }
-      std::optional<KnownOvercut> known = depth_bounds_.at(tool).at(verdict.depth_upper_mm, one, part);
-      const double rounded_bound = known ? known->upper_mm : kUnknown_mm;
-      join(SweptTool(one, tools_[tool]->bare, known ? std::optional(std::move(known->sharp_zones)) : std::nullopt),
-           rounded_bound);
+      join(SweptTool(one, tools_[tool]->bare, depth_bounds_.at(tool).at(verdict.depth_upper_mm, one, part)));
     }
   }
 

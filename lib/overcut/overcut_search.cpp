@@ -27,9 +27,10 @@ constexpr double kHopeless = 0.5;    // share of a cell's radius: for a larger e
 constexpr double kHigher = 0.3;      // share of a cell's radius: a ceiling that is higher by more does not help
 constexpr int kNoZone = -1;
 constexpr double kWorthAnotherLook = 0.5;  // share of the volume: a cell that shrinks below it is examined again
-constexpr double kNotCut = 0.05;           // share of the excess: a plane that cuts off less is useless
-constexpr double kAlongNormal = 0.25;      // weight along the normal, where first-order bounds are exact; across it
-                                           // cells must be small
+constexpr double kFar = 0.5;           // share of a ring's radius: if it moves farther, the pieces of the ring overlap
+constexpr double kNotCut = 0.05;       // share of the excess: a plane that cuts off less is useless
+constexpr double kAlongNormal = 0.25;  // weight along the normal, where first-order bounds are exact; across it
+                                       // cells must be small
 
 /// A box of space with axes along the frame of the search, during a time interval.
 struct Cell : SearchCandidate {
@@ -62,17 +63,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     frame_.row(2) = Vec3(frame_.row(0)).cross(Vec3(frame_.row(1)));
     Box3 all;
     for (const Vec3& corner : LaneBound(part_.tree()).hull()) all.extend(Vec3(frame_ * corner));
-    const bool is_sharp_only = options_.rounded_bound_mm <= threshold_mm();
-    if (is_sharp_only) prune(options_.rounded_bound_mm);
-    for (std::uint32_t s = 0; s < tool_.segments(); ++s) {
-      const std::vector<Box3> boxes = tool_.extents(frame_, s, is_sharp_only);
-      for (std::size_t k = 0; k < boxes.size(); ++k) {
-        Cell cell;
-        cell.interval = s;
-        if (is_sharp_only) cell.zone = static_cast<int>(k);
-        add_within(boxes[k].intersection(all), cell);
-      }
-    }
+    add_solid(all);
     best_.depth_upper_mm = std::max(run(), best_.depth_mm);
     return best_;
   }
@@ -81,15 +72,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
   [[nodiscard]] bool is_exhausted() const { return looked_ >= options_.max_cells; }
 
   void split(const Cell& cell) {
-    if (cell.zone >= 0) {
-      const Vec3 centre = frame_ * cell.centre;
-      const Box3 whole(centre - cell.half, centre + cell.half);
-      Cell part = cell;
-      part.zone = kNoZone;
-      const std::vector<Box3> pieces = tool_.pieces(frame_, cell.interval, static_cast<std::size_t>(cell.zone));
-      for (const Box3& piece : pieces) add_within(piece.intersection(whole), part);
-      if (!pieces.empty()) return;
-    }
+    if (cell.zone >= 0 && split_zone(cell)) return;
     if (cell.next == 3) {
       const std::uint32_t first = tool_.halve(cell.interval);
       for (std::uint32_t k = 0; k < 2; ++k) {
@@ -110,6 +93,45 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
   }
 
  private:
+  /// Adds cells for all points of the solid in the box `within`. Where a bound is known outside of the sharp zones, the
+  /// rest is not searched, or only where the surface is deep.
+  void add_solid(const Box3& within) {
+    const double rounded_mm = tool_.rounded_bound_mm();
+    const bool is_bounded = std::isfinite(rounded_mm);
+    std::vector<Box3> deep;
+    if (is_bounded) prune(std::min(rounded_mm, threshold_mm()));
+    if (is_bounded && rounded_mm > threshold_mm()) deep = tool_.deep_extents(frame_, part_, threshold_mm());
+    for (std::uint32_t s = 0; s < tool_.segments(); ++s) {
+      Cell cell;
+      cell.interval = s;
+      if (!deep.empty()) add_within(deep[s].intersection(within), cell);
+      const std::vector<Box3> boxes = tool_.extents(frame_, s, is_bounded);
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        if (is_bounded) cell.zone = static_cast<int>(k);
+        add_within(boxes[k].intersection(within), cell);
+      }
+    }
+  }
+
+  /// Splits a cell with a sharp zone: its time while the ring moves far, then the ring. Returns false if it has no
+  /// pieces.
+  bool split_zone(const Cell& cell) {
+    const Vec3 centre = frame_ * cell.centre;
+    const Box3 whole(centre - cell.half, centre + cell.half);
+    const auto zone = static_cast<std::size_t>(cell.zone);
+    Cell part = cell;
+    if (cell.next == 3) {
+      part.interval = tool_.halve(cell.interval);
+      for (int k = 0; k < 2; ++k, ++part.interval)
+        add_within(tool_.extents(frame_, part.interval, true)[zone].intersection(whole), part);
+      return true;
+    }
+    part.zone = kNoZone;
+    const std::vector<Box3> pieces = tool_.pieces(frame_, cell.interval, zone);
+    for (const Box3& piece : pieces) add_within(piece.intersection(whole), part);
+    return !pieces.empty();
+  }
+
   /// Adds a cell for the box, along the axes of the frame. Its interval and all other data are those of `like`.
   void add_within(const Box3& box, Cell like) {
     if (box.isEmpty()) return;
@@ -136,9 +158,13 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     const SweptBound swept = tool_.bound(cell.centre, radius, cell.interval);
     if (!swept.is_reached) return;
-    if (swept.is_rounded) cell.upper_mm = std::min(cell.upper_mm, options_.rounded_bound_mm);
+    if (swept.is_rounded) cell.upper_mm = std::min(cell.upper_mm, tool_.rounded_bound_mm());
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     offer_point(cell, swept);
+    if (cell.zone >= 0) {  // a whole ring is too large for planes
+      cell.next = swept.can_halve && swept.path_length_mm > kFar * radius ? 3 : 0;
+      return offer(cell);
+    }
     if (is_decided_by_planes(cell, swept)) return;
     if (cell.kept < kWorthAnotherLook) {
       look_at_part(cell);
@@ -324,6 +350,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
         const bool is_later = reach_on(step, std::min(1.0, t + dt));
         if (!is_later && !reach_on(step, std::max(0.0, t - dt))) dt *= 0.4;
       }
+      if (options_.ends_early && tool_.rounded_bound_mm() <= threshold_mm()) break;
       if (best_.depth_mm - before < kNotable_mm && step < kNear_mm && !is_moving) break;
     }
   }

@@ -1,20 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 
 #include "lib/overcut/swept_solid.h"
 #include "lib/surface/surface.h"
 
 namespace gouge {
 
-inline constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
-
 struct OvercutOptions {
   std::size_t max_cells =
-      5'000;  ///< the search ends when the two bounds are overcut_gap_mm apart, or after so many cells
-  /// Known bound of the distance below the surface for every point outside of the solid's sharp zones.
-  double rounded_bound_mm = kUnknown_mm;
+      5'000;                ///< the search ends when the two bounds are overcut_gap_mm apart, or after so many cells
+  bool ends_early = false;  ///< the lower bound need not be better than that
 };
 
 struct Overcut {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "lib/motion/body_motion.h"
 #include "lib/motion/motion.h"
 #include "lib/motion/motion_interval.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -72,6 +74,16 @@ class SweptSolid {
   /// counted as in `extents`.
   [[nodiscard]] virtual std::vector<Box3> pieces(const Eigen::Matrix3d& /*frame*/, std::uint32_t /*interval*/,
                                                  std::size_t /*zone*/) const {
+    return {};
+  }
+
+  /// Returns a bound of the distance below the surface for every point outside of the solid's sharp zones.
+  [[nodiscard]] virtual double rounded_bound_mm() const { return std::numeric_limits<double>::infinity(); }
+  /// Returns a box for each segment, along the same axes. It contains all points of the solid that are outside of its
+  /// sharp zones and more than `depth_mm` below the surface of `part`, at any instant of the segment.
+  /// Requires a finite rounded_bound_mm().
+  [[nodiscard]] virtual std::vector<Box3> deep_extents(const Eigen::Matrix3d& /*frame*/, const Surface& /*part*/,
+                                                       double /*depth_mm*/) const {
     return {};
   }
 

@@ -7,6 +7,7 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/check/support_plane.h"
+#include "lib/overcut/deep_surface.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -14,7 +15,8 @@ namespace {
 
 constexpr double kAngleRounding = 1e-7;  // rounding of an arc sine near a pole
 constexpr double kMinAcross = 0.1;
-constexpr int kArcs = 24;  // number of arcs into which a sharp edge is divided; each is searched separately
+constexpr double kSmallPiece = 0.5;  // share of the rounded bound: size of the pieces whose box is enlarged by it
+constexpr int kArcs = 24;            // number of arcs into which a sharp edge is divided; each is searched separately
 
 /// Returns the smallest distance of a stretch from the tool axis.
 double smallest_radius(const Vec3& a, const Vec3& b) {
@@ -202,12 +204,12 @@ SweptBound SweptTool::bound(const Vec3& centre, double radius, std::uint32_t ind
   bound.can_halve = intervals_.can_halve(index);
   if (bound.distance_mm - 0.5 * length - chord.bulge_mm > radius + Tolerance::kRounding_mm) return bound;
   bound.is_reached = true;
-  if (sharp_zones_) {
+  if (rounded_) {
     const Vec2 q(middle.q.head<2>().norm(), middle.q.z());
     const double around = radius + 0.5 * length + chord.bulge_mm + Tolerance::kRounding_mm;
-    bound.is_rounded = std::none_of(sharp_zones_->begin(), sharp_zones_->end(), [&](const Box2& zone) {
-      return zone.squaredExteriorDistance(q) <= around * around;
-    });
+    bound.is_rounded =
+        std::none_of(rounded_->sharp_zones->begin(), rounded_->sharp_zones->end(),
+                     [&](const Box2& zone) { return zone.squaredExteriorDistance(q) <= around * around; });
   }
   bound.half = beside(tool_, middle, centre, 0, centre, chord, interval);
   return bound;
@@ -221,16 +223,32 @@ std::optional<DriftingHalfSpace> SweptTool::half_space(const Vec3& point, double
 }
 
 std::vector<Box3> SweptTool::extents(const Eigen::Matrix3d& frame, std::uint32_t index, bool is_sharp_only) const {
-  if (!is_sharp_only || !sharp_zones_)
+  if (!is_sharp_only || !rounded_)
     return {extent(frame, index, Box2(Vec2(0, tool_.z_min_mm), Vec2(tool_.r_max_mm, tool_.z_max_mm)))};
   std::vector<Box3> boxes;
-  for (const Box2& zone : *sharp_zones_) boxes.push_back(extent(frame, index, zone));
+  for (const Box2& zone : *rounded_->sharp_zones) boxes.push_back(extent(frame, index, zone));
   return boxes;
 }
 
 std::vector<Box3> SweptTool::pieces(const Eigen::Matrix3d& frame, std::uint32_t index, std::size_t zone) const {
   std::vector<Box3> boxes;
-  for (int k = 0; k < kArcs; ++k) boxes.push_back(extent_of_arc(frame, index, (*sharp_zones_)[zone], k));
+  for (int k = 0; k < kArcs; ++k) boxes.push_back(extent_of_arc(frame, index, (*rounded_->sharp_zones)[zone], k));
+  return boxes;
+}
+
+double SweptTool::rounded_bound_mm() const {
+  return rounded_ ? rounded_->depth_mm + rounded_->slack_mm : SweptSolid::rounded_bound_mm();
+}
+
+std::vector<Box3> SweptTool::deep_extents(const Eigen::Matrix3d& frame, const Surface& part, double depth_mm) const {
+  const double bound = rounded_bound_mm(), surface_depth = depth_mm - rounded_->slack_mm;
+  std::vector<Box3> boxes =
+      deep_surface(motion(), *rounded_->cover, part.tree(), frame, surface_depth, kSmallPiece * bound);
+  for (Box3& box : boxes) {
+    if (box.isEmpty()) continue;
+    box.min().array() -= bound + Tolerance::kRounding_mm;
+    box.max().array() += bound + Tolerance::kRounding_mm;
+  }
   return boxes;
 }
 

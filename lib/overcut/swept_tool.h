@@ -1,23 +1,33 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "lib/motion/tool_interval.h"
 #include "lib/overcut/swept_solid.h"
 #include "lib/tool/compiled_tool.h"
+#include "lib/tool/convex_cover.h"
 #include "lib/tool/inscribed_balls.h"
 
 namespace gouge {
 
+/// A bound of the reach of a tool below a surface that is nowhere deeper in the tool than `depth_mm`. A point outside
+/// of the sharp zones that is farther below the surface than `slack_mm` is within that depth, plus the slack, of a
+/// surface point. That surface point is as deep in the tool as the point is below the surface, less the slack.
+/// Proof: docs/method/overcut.md, section 2.
+struct RoundedReach {
+  double depth_mm = 0, slack_mm = 0;
+  const std::vector<Box2>* sharp_zones = nullptr;  ///< boxes of the tool's half plane (inscribed_balls.h)
+  const ConvexCover* cover = nullptr;              ///< of the tool
+};
+
 /// A tool during one motion.
 class SweptTool : public SweptSolid {
  public:
-  /// Prepares the tool. Requires a tool with elements, which must outlive it. `sharp_zones` are those of the tool
-  /// (inscribed_balls.h); if there are none, the whole tool counts as sharp.
-  SweptTool(const Motion& motion, const CompiledTool& tool, std::optional<std::vector<Box2>> sharp_zones = std::nullopt)
-      : SweptSolid(motion), tool_(tool), intervals_(motion, motion), sharp_zones_(std::move(sharp_zones)) {}
+  /// Prepares the tool. Requires a tool with elements, which must outlive it. Without `rounded`, the whole tool counts
+  /// as sharp.
+  SweptTool(const Motion& motion, const CompiledTool& tool, std::optional<RoundedReach> rounded = std::nullopt)
+      : SweptSolid(motion), tool_(tool), intervals_(motion, motion), rounded_(rounded) {}
 
   [[nodiscard]] double distance_at(const Vec3& point_part, double t) const override;
   [[nodiscard]] Vec3 outward_at(const Vec3& point_part, double t) const override;
@@ -31,6 +41,9 @@ class SweptTool : public SweptSolid {
                                           bool is_sharp_only) const override;
   [[nodiscard]] std::vector<Box3> pieces(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                          std::size_t zone) const override;
+  [[nodiscard]] double rounded_bound_mm() const override;
+  [[nodiscard]] std::vector<Box3> deep_extents(const Eigen::Matrix3d& frame, const Surface& part,
+                                               double depth_mm) const override;
 
  private:
   [[nodiscard]] Box3 extent(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring) const;
@@ -39,7 +52,7 @@ class SweptTool : public SweptSolid {
 
   const CompiledTool& tool_;
   ToolIntervals intervals_;
-  std::optional<std::vector<Box2>> sharp_zones_;
+  std::optional<RoundedReach> rounded_;
 };
 
 }  // namespace gouge
