@@ -10,8 +10,8 @@ namespace gouge {
 
 namespace {
 
-constexpr double kLooks = 60'000;               // number of points that are examined
-constexpr std::size_t kMaxTriangles = 150'000;  // maximum number of triangles that are added
+constexpr double kLooks = 60'000;  // number of points that are examined
+constexpr std::size_t kMaxTriangles = ViewerMesh::kMoreTriangles;
 // relative to the size of the parts, and the factor if that gives too many
 constexpr double kFinest = 1.0 / 400, kCoarser = 1.4;
 // relative to the size of the parts: minimum distance of points on a flat part without area
@@ -69,27 +69,57 @@ std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm)
 class Cutter {
  public:
   Cutter(ViewerMesh& mesh, const GougedCells& cells, double finest_mm)
-      : out_(mesh), max_(mesh.triangles.size() + kMaxTriangles), cells_(cells), finest_mm_(finest_mm) {
-    triangles_.reserve(mesh.triangles.size());
-  }
+      : out_(mesh), cells_(cells), finest_mm_(finest_mm) {}
 
-  /// Cuts the triangles. Returns false if there would be too many; then nothing is changed.
+  /// Cuts the triangles; the pieces take the place of the triangle. Returns false if there would be too many; then
+  /// nothing is changed.
   bool run() {
     const std::size_t vertices = out_.positions.size();
-    for (const Triangle& t : out_.triangles) {
-      cut(t, 0);
-      if (triangles_.size() <= max_) continue;
+    for (std::uint32_t face = 0; face < out_.triangles.size(); ++face) {
+      const std::size_t first = pieces_.size();
+      cut(out_.triangles[face], 0);
+      if (pieces_.size() == first + 1 && !is_over_) {
+        pieces_.pop_back();
+        continue;
+      }
+      cuts_.push_back({face, first});
+      if (!is_over_ && !is_full()) continue;
       out_.positions.resize(vertices);
       out_.normals.resize(vertices);
       out_.mesh_of.resize(vertices);
       return false;
     }
-    out_.triangles = std::move(triangles_);
+    put_pieces();
     return true;
   }
 
  private:
   static constexpr std::uint32_t kWhole = 0xFFFFFFFFU;
+
+  /// A triangle that was cut. Its pieces end where those of the next one begin.
+  struct Cut {
+    std::uint32_t face = 0;
+    std::size_t first_piece = 0;
+  };
+
+  [[nodiscard]] bool is_full() const { return pieces_.size() > cuts_.size() + kMaxTriangles; }
+
+  /// Replaces the triangles by their pieces, from the last one on, so that no second list of all triangles is needed.
+  void put_pieces() {
+    std::vector<Triangle>& all = out_.triangles;
+    auto from = static_cast<std::ptrdiff_t>(all.size());
+    all.resize(all.size() + pieces_.size() - cuts_.size());
+    auto to = all.end();
+    auto last = pieces_.end();
+    for (std::size_t k = cuts_.size(); k-- > 0;) {
+      const auto face = static_cast<std::ptrdiff_t>(cuts_[k].face);
+      const auto first = pieces_.begin() + static_cast<std::ptrdiff_t>(cuts_[k].first_piece);
+      to = std::move_backward(all.begin() + face + 1, all.begin() + from, to);
+      to = std::copy_backward(first, last, to);
+      from = face;
+      last = first;
+    }
+  }
 
   // Returns the middle of an edge that must be cut, else kWhole. The decision depends only on the position of the edge.
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
@@ -115,8 +145,9 @@ class Cutter {
       m[k] = middle(t[k], t[(k + 1) % 3]);
       cuts += m[k] != kWhole ? 1 : 0;
     }
-    if (cuts == 0) return triangles_.push_back(t);
-    if (triangles_.size() > max_) return;
+    if (cuts == 0) return pieces_.push_back(t);
+    is_over_ = is_over_ || is_full();
+    if (is_over_) return;
     const auto go = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { cut({a, b, c}, depth + 1); };
     if (cuts == 3) {
       for (std::size_t k = 0; k < 3; ++k) go(t[k], m[k], m[(k + 2) % 3]);
@@ -135,8 +166,9 @@ class Cutter {
   }
 
   ViewerMesh& out_;
-  std::vector<Triangle> triangles_;
-  std::size_t max_;
+  std::vector<Triangle> pieces_;
+  std::vector<Cut> cuts_;
+  bool is_over_ = false;  // pieces were left out because there are too many
   const GougedCells& cells_;
   double finest_mm_;
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
@@ -163,6 +195,16 @@ std::vector<SurfacePoint> vertex_points(const ViewerMesh& mesh, const std::vecto
   return points;
 }
 
+/// Adds the points at which a quantity is above 0.
+void add_gouged(GougedCells& cells, const std::vector<SurfacePoint>& looks, const std::vector<AskedValues>& asked) {
+  for (const AskedValues& one : asked) {
+    const std::vector<float> found = one.values->at(looks, one.quantity);
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (found[i] > 0) cells.add(looks[i].at);
+    }
+  }
+}
+
 }  // namespace
 
 VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& asked, const std::vector<Vec3>& points,
@@ -170,13 +212,7 @@ VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& as
   const double apart_mm = std::max(std::sqrt(area_of(mesh) / kLooks), kMinApart * size_mm + Tolerance::kSamePoint_mm);
   GougedCells cells(apart_mm);
   for (const Vec3& point : points) cells.add(point);
-  const std::vector<SurfacePoint> looks = spread_points(mesh, apart_mm);
-  for (const AskedValues& one : asked) {
-    const std::vector<float> found = one.values->at(looks, one.quantity);
-    for (std::size_t i = 0; i < looks.size(); ++i) {
-      if (found[i] > 0) cells.add(looks[i].at);
-    }
-  }
+  add_gouged(cells, spread_points(mesh, apart_mm), asked);
   for (double finest_mm = kFinest * size_mm; finest_mm < size_mm; finest_mm *= kCoarser) {
     if (Cutter(mesh, cells, finest_mm).run()) break;
   }

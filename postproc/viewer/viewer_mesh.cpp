@@ -22,7 +22,7 @@ constexpr std::size_t kMoreVertices = 200'000;  // additional vertices along sha
 ViewerMesh ViewerMesh::from(const PictureScene& scene) {
   const std::uint32_t faces = scene.face_count();
   ViewerMesh out;
-  out.triangles.reserve(faces);
+  out.triangles.reserve(faces + kMoreTriangles);
   const std::size_t vertices = scene.vertex_count() + kMoreVertices;
   out.positions.reserve(vertices);
   out.normals.reserve(vertices);

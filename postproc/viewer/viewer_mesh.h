@@ -14,6 +14,8 @@ namespace gouge {
 /// A surface for a graphics card. A vertex has one normal, so corners at sharp edges are separate vertices. It serves
 /// only for pictures: positions are rounded on output.
 struct ViewerMesh {
+  static constexpr std::size_t kMoreTriangles = 150'000;  ///< maximum number of triangles that a refinement adds
+
   std::vector<Vec3> positions;
   std::vector<Eigen::Vector3f> normals;  ///< unit vector, for each vertex
   std::vector<std::uint32_t> mesh_of;    ///< for each vertex: the index of its mesh in the scene
