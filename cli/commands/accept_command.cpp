@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cli/commands/acceptance_file.h"
+#include "cli/commands/acceptor.h"
 #include "cli/commands/batch_results.h"
 #include "cli/commands/load_result.h"
 #include "cli/output/output_file.h"
@@ -189,82 +190,6 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
 
 namespace {
 
-/// Adds findings of results to the entries of a file.
-class Acceptor {
- public:
-  Acceptor(const AcceptArguments& arguments, std::vector<Acceptance> accepted)
-      : arguments_(arguments),
-        note_{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date},
-        existing_(accepted),
-        accepted_(std::move(accepted)) {}
-
-  /// Accepts the findings of a result that were asked for by their numbers. Those without a job belong to the only result.
-  Outcome accept_named(const std::string& job, const StoredResult& result) {
-    for (const ChosenFinding& finding : arguments_.findings) {
-      if (!finding.job.empty() && finding.job != job) continue;
-      Outcome added = add(result, finding.number);
-      if (!added && !is_new_twice(added.error(), result, finding.number)) return added;
-    }
-    return Done{};
-  }
-
-  /// Accepts every finding that can be accepted. Those that are accepted already stay as they are.
-  void accept_all(const StoredResult& result) {
-    std::vector<std::size_t> numbers;
-    for (const EventRecord& finding : result.findings) numbers.push_back(*finding.number);
-    std::ranges::sort(numbers);
-    for (const std::size_t number : numbers) {
-      const Outcome added = add(result, number);
-      if (added || is_new_twice(added.error(), result, number)) continue;
-      added.error().code == "accept-twice" ? static_cast<void>(++known_) : refused_.push_back(added.error());
-    }
-  }
-
-  [[nodiscard]] const Diagnostics& refused() const { return refused_; }
-  [[nodiscard]] std::string bytes() const { return write_accepted(accepted_); }
-  /// Returns whether the file has new entries, or is to state that there is nothing to accept.
-  [[nodiscard]] bool is_to_write() const {
-    std::error_code ignored;
-    return has_new() || (arguments_.is_all && refused_.empty() && !fs::exists(arguments_.output, ignored));
-  }
-
-  void tell(std::ostream& out) const {
-    for (std::size_t k = existing_.size(); k < accepted_.size(); ++k) {
-      const Acceptance& made = accepted_[k];
-      out << printable("accepted: " + made.toolpath + ":" + std::to_string(made.line) + ": " + made.finding) << "\n";
-    }
-    if (same_ > 0)
-      out << count_text(same_, "finding") << (same_ == 1 ? " has" : " have")
-          << " the motions of these, so the new entries accept " << (same_ == 1 ? "it" : "them") << " too\n";
-    if (known_ > 0) out << count_text(known_, "finding") << " accepted before\n";
-    if (has_new() || (arguments_.is_all && refused_.empty()))
-      out << printable(arguments_.output + " has " + count_text(accepted_.size(), "accepted finding")) << "\n";
-  }
-
- private:
-  [[nodiscard]] bool has_new() const { return accepted_.size() > existing_.size(); }
-
-  /// Counts a finding that an entry of this command accepts, but none of an earlier one.
-  bool is_new_twice(const Diagnostic& error, const StoredResult& result, std::size_t number) {
-    if (error.code != "accept-twice" || !accept_finding(result, number, note_, existing_)) return false;
-    ++same_;
-    return true;
-  }
-
-  Outcome add(const StoredResult& result, std::size_t number) {
-    Result<Acceptance> made = accept_finding(result, number, note_, accepted_);
-    if (!made) return made.error();
-    accepted_.push_back(std::move(*made));
-    return Done{};
-  }
-
-  const AcceptArguments& arguments_;
-  AcceptanceNote note_;
-  std::vector<Acceptance> existing_, accepted_;  // those of the file, and these with the new ones
-  std::size_t known_ = 0, same_ = 0;
-  Diagnostics refused_;
-};
-
 /// Returns all results that were named; the folder of a batch stands for the results of its jobs. Single results have
 /// no job name. `warnings` receives the jobs without a result.
 Result<std::vector<ListedJob>> named_results(const AcceptArguments& arguments, Diagnostics& warnings) {
@@ -302,23 +227,38 @@ Result<std::vector<StoredResult>> read_results(const AcceptArguments& arguments,
   return results;
 }
 
+/// Returns the numbers of the findings of a job that were asked for. Those without a job belong to the only result.
+std::vector<std::size_t> chosen_of(const AcceptArguments& arguments, const std::string& job) {
+  std::vector<std::size_t> numbers;
+  for (const ChosenFinding& finding : arguments.findings)
+    if (finding.job.empty() || finding.job == job) numbers.push_back(finding.number);
+  return numbers;
+}
+
 int accept(const AcceptArguments& arguments, const std::vector<ListedJob>& named,
            const std::vector<StoredResult>& results, std::ostream& out, std::ostream& err) {
   const FolderLock lock(arguments.output);
   Result<std::vector<Acceptance>> existing = read_acceptances(arguments.output, arguments.input);
   if (!existing) return fail(err, {existing.error()});
-  Acceptor acceptor(arguments, std::move(*existing));
+  const AcceptanceNote note{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date};
+  Acceptor acceptor(note, std::move(*existing));
   for (std::size_t k = 0; k < results.size(); ++k) {
-    if (arguments.is_all) acceptor.accept_all(results[k]);
-    if (const Outcome added = acceptor.accept_named(named[k].name, results[k]); !added)
+    if (arguments.is_all) {
+      acceptor.accept_all(results[k]);
+    } else if (const Outcome added = acceptor.accept_named(chosen_of(arguments, named[k].name), results[k]); !added) {
       return fail(err, {added.error()});
+    }
   }
-  if (acceptor.is_to_write()) {
-    if (const Outcome written = write_output(arguments.output, acceptor.bytes(), out); !written)
+  acceptor.test_outcome();
+  std::error_code ignored;
+  const bool is_stated = arguments.is_all && acceptor.refused().empty();  // also that there is nothing to accept
+  if (acceptor.has_new() || (is_stated && !fs::exists(arguments.output, ignored))) {
+    if (const Outcome written = write_output(arguments.output, write_accepted(acceptor.entries()), out); !written)
       return fail(err, {written.error()}, kExitInternal);
   }
   print(err, doubts_about_date(arguments));
   acceptor.tell(out);
+  if (acceptor.has_new() || is_stated) out << count_line(arguments.output, acceptor.entries().size());
   return acceptor.refused().empty() ? kExitClean : fail(err, acceptor.refused());
 }
 

@@ -30,10 +30,6 @@ Result<std::vector<Acceptance>> entries_in(const std::string& file, const std::s
   return bytes.empty() ? std::vector<Acceptance>() : read_accepted(file, bytes);
 }
 
-std::string count_line(const std::string& file, std::size_t count) {
-  return printable(file + " has " + count_text(count, "accepted finding")) + "\n";
-}
-
 /// Returns the error if a number is not that of an entry.
 std::optional<Diagnostic> find_wrong_number(const std::string& file, const std::vector<std::uint32_t>& sorted,
                                             std::size_t count) {
@@ -69,6 +65,10 @@ Result<std::vector<Acceptance>> read_acceptances(const std::string& file, const 
   const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
   return entries_in(file, *bytes);
+}
+
+std::string count_line(const std::string& file, std::size_t count) {
+  return printable(file + " has " + count_text(count, "accepted finding")) + "\n";
 }
 
 void list_acceptances(const std::string& file, const std::vector<Acceptance>& entries, std::ostream& out) {

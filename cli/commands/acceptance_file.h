@@ -28,6 +28,9 @@ class FolderLock {
 /// read_accepted.
 [[nodiscard]] Result<std::vector<Acceptance>> read_acceptances(const std::string& file, const InputLimit& limit);
 
+/// Returns "accepted.json has 2 accepted findings", as a line.
+[[nodiscard]] std::string count_line(const std::string& file, std::size_t count);
+
 /// Lists the entries with the numbers of --withdraw, which start at 1.
 void list_acceptances(const std::string& file, const std::vector<Acceptance>& entries, std::ostream& out);
 

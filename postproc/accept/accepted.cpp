@@ -11,6 +11,7 @@
 #include "lib/base/printable_text.h"
 #include "lib/base/sha256.h"
 #include "lib/base/tolerance.h"
+#include "lib/check/reason.h"
 #include "lib/json/json_field.h"
 #include "lib/path/motion_key.h"
 #include "postproc/report/report_text.h"
@@ -228,9 +229,6 @@ std::string write_accepted(const std::vector<Acceptance>& entries) {
 
 namespace {
 
-// Returns whether the reason is that of a clearance: the only reason with which a gouge can be accepted.
-bool is_of_clearance(const std::string& reason) { return reason.starts_with("the clearance of the "); }
-
 class Accepter {
  public:
   Accepter(const StoredResult& result, const EventRecord& finding) : result_(result), finding_(finding) {}
@@ -248,7 +246,7 @@ class Accepter {
       if (!move->depth_upper_mm || *move->depth_upper_mm > *move->depth_mm + gap_mm)
         return "the depth of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
                ") is not certified to the resolution";
-      if (!move->reason.empty() && !is_of_clearance(move->reason))
+      if (!move->reason.empty() && !is_text_of_limit(move->reason))
         return "of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
                ") more is open: " + move->reason;
     }
@@ -296,25 +294,9 @@ class Accepter {
   const EventRecord& finding_;
 };
 
-// Returns whether one of its motions is already accepted as often as it gouges.
-bool is_accepted_already(const Acceptance& made, const std::vector<Acceptance>& accepted) {
-  std::map<std::string, std::size_t> times;
-  for (const Acceptance& other : accepted) {
-    if (other.body != made.body || other.against != made.against || other.setup.tool != made.setup.tool ||
-        find_change(other.setup, made.setup, LengthUnit::mm))
-      continue;
-    for (const AcceptedMove& move : other.moves) ++times[move.motion];
-  }
-  return std::ranges::any_of(made.moves, [&](const AcceptedMove& move) {
-    const auto found = times.find(move.motion);
-    return found != times.end() && found->second >= move.passes;
-  });
-}
-
 }  // namespace
 
-Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number, const AcceptanceNote& note,
-                                  const std::vector<Acceptance>& accepted) {
+Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number, const AcceptanceNote& note) {
   const auto finding = std::ranges::find(result.findings, number, &EventRecord::number);
   if (finding == result.findings.end())
     return make_error("usage", "--finding '" + std::to_string(number) + "': " + result.file +
@@ -325,13 +307,7 @@ Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number
     return make_error("accept-impossible",
                       "finding " + std::to_string(number) + " cannot be accepted: " + *why + "; it stays a gouge",
                       result.file);
-  Acceptance made = accepter.make(note);
-  if (is_accepted_already(made, accepted))
-    return make_error(
-        "accept-twice",
-        "finding " + std::to_string(number) + " has motions that are accepted already; expected one that is not",
-        result.file);
-  return made;
+  return accepter.make(note);
 }
 
 }  // namespace gouge

@@ -48,10 +48,10 @@ struct AcceptanceNote {
   std::string reason, by, date;
 };
 
-/// Accepts finding `number` of a result, in addition to the entries in `accepted`.
+/// Returns the acceptance of finding `number` of a result.
 /// Errors: (1) usage: no finding has this number. (2) accept-impossible: the tool is buried, a depth is not certified,
-/// or the tool is unknown and so cannot be compared later. (3) accept-twice: it is accepted already.
+/// or the tool is unknown and so cannot be compared later.
 [[nodiscard]] Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number,
-                                                const AcceptanceNote& note, const std::vector<Acceptance>& accepted);
+                                                const AcceptanceNote& note);
 
 }  // namespace gouge

@@ -8,7 +8,6 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
-#include "lib/path/motion_key.h"
 #include "postproc/report/baseline_text.h"
 #include "postproc/report/report_text.h"
 
@@ -39,10 +38,8 @@ struct MoveAnswer {
 
 class Baseline {
  public:
-  Baseline(const std::string& file, const std::vector<Acceptance>& accepted, const ReportModel& model)
-      : accepted_(accepted), model_(model) {
-    facts_.file = file;
-  }
+  Baseline(const std::vector<Acceptance>& accepted, const CheckedFindings& checked)
+      : accepted_(accepted), checked_(checked) {}
 
   BaselineFacts run() {
     for (std::size_t k = 0; k < accepted_.size(); ++k) add_entry(k);
@@ -61,7 +58,6 @@ class Baseline {
     entry.reason = a.reason;
     entry.toolpath = a.toolpath;
     entry.line = a.line;
-    entry.text = write_entry(a);
     entry.finding = a.toolpath + ":" + std::to_string(a.line) + ": " + a.finding;
     if (const auto change = find_setup_change(a)) {
       entry.use = BaselineEntry::Use::voided;
@@ -80,65 +76,84 @@ class Baseline {
   // Judges first the findings in whose lines an entry was made, because an entry counts where it was made if its motion
   // gouges more often than it was accepted.
   void judge_all() {
-    const std::vector<Event>& events = model_.result->events;
-    facts_.events.resize(events.size());
+    const std::vector<CheckedFinding>& findings = checked_.findings;
+    facts_.events.resize(findings.size());
     std::vector<std::size_t> later;
-    for (std::size_t i = 0; i < events.size(); ++i) {
+    for (std::size_t i = 0; i < findings.size(); ++i) {
       const bool has_own =
-          std::ranges::any_of(accepted_, [&](const Acceptance& a) { return is_made_in(a, events[i]); });
-      has_own ? static_cast<void>(facts_.events[i] = judge(events[i])) : later.push_back(i);
+          std::ranges::any_of(accepted_, [&](const Acceptance& a) { return is_made_in(a, findings[i]); });
+      has_own ? static_cast<void>(facts_.events[i] = judge(findings[i])) : later.push_back(i);
     }
-    for (const std::size_t i : later) facts_.events[i] = judge(events[i]);
+    for (const std::size_t i : later) facts_.events[i] = judge(findings[i]);
+  }
+
+  [[nodiscard]] bool is_of_other(const std::string& toolpath) const {
+    return is_of_other_program(toolpath, checked_.toolpath);
   }
 
   // Returns whether an entry was made for a line of a finding of this program.
-  [[nodiscard]] bool is_made_in(const Acceptance& a, const Event& event) const {
-    const Moves& moves = model_.toolpath->moves;
-    return moves[event.first_move].line <= a.line && a.line <= moves[event.last_move].line &&
-           !is_of_other_program(a.toolpath, model_);
+  [[nodiscard]] bool is_made_in(const Acceptance& a, const CheckedFinding& finding) const {
+    return finding.first_line <= a.line && a.line <= finding.last_line && !is_of_other(a.toolpath);
   }
 
   [[nodiscard]] std::optional<std::string> find_setup_change(const Acceptance& a) const {
-    if (auto change = find_change(a.setup, setup_of(model_, a.setup.tool), model_.toolpath->unit)) return change;
+    if (auto change = find_change(a.setup, checked_.setup, checked_.unit)) return change;
     bool is_named = false;
-    for (std::size_t i = 0; i < model_.toolpath->tools.size() && i < model_.tools.size(); ++i) {
-      if (model_.tools[i].identity == a.setup.tool) return std::nullopt;
-      is_named = is_named || tool_key(*model_.toolpath, i) == a.tool;
+    for (const CheckedTool& tool : checked_.tools) {
+      if (tool.identity == a.setup.tool) return std::nullopt;
+      is_named = is_named || tool.key == a.tool;
     }
     if (is_named) return stored_tool_label(a.tool) + " has other dimensions";
     return std::nullopt;
   }
 
-  EventAcceptance judge(const Event& event) {
+  EventAcceptance judge(const CheckedFinding& finding) {
     EventAcceptance judged;
-    if (event.state != MoveState::gouge || event.tool >= model_.tools.size()) return judged;
-    const std::string& tool = model_.tools[event.tool].identity;
-    std::set<std::size_t> applied, of_motion;
+    if (!finding.is_gouge) return judged;
+    std::map<std::size_t, std::size_t> applied;  // the number of moves that each entry accepts
+    std::set<std::size_t> of_motion;
     std::size_t count = 0;
     std::string why;
-    for (std::size_t move = event.first_move; move <= event.last_move; ++move) {
-      MoveAnswer answer = ask(event, tool, move);
+    for (const CheckedMove& move : finding.moves) {
+      MoveAnswer answer = ask(finding, move);
       of_motion.insert(answer.of_motion.begin(), answer.of_motion.end());
       if (answer.entry) {
         ++count;
-        applied.insert(*answer.entry);
+        ++applied[*answer.entry];
       } else if (why.empty()) {
         why = answer.why_not;
       }
     }
-    judged.is_accepted = count > 0 && count == event.moves && !tool.empty();
-    const std::set<std::size_t>& of = judged.is_accepted ? applied : of_motion;
-    judged.entries.assign(of.begin(), of.end());
+    judged.is_accepted = count > 0 && count == finding.moves.size() && !finding.tool.empty();
     if (judged.is_accepted) {
-      facts_.accepted_moves += event.moves;
-      for (const std::size_t k : applied) facts_.entries[k].use = BaselineEntry::Use::applied;
-    } else if (!of_motion.empty()) {
-      judged.why_not =
-          count == 0 ? why
-                     : why + " (" + std::to_string(count) + " of " + count_text(event.moves, "move") + " accepted)";
-      for (const std::size_t k : of_motion) void_entry(k, judged.why_not);
+      facts_.accepted_moves += count;
+      for (const auto& [k, moves] : applied) {
+        judged.entries.push_back(k);
+        facts_.entries[k].use = BaselineEntry::Use::applied;
+        facts_.entries[k].why.clear();
+      }
+      return judged;
+    }
+    judged.entries.assign(of_motion.begin(), of_motion.end());
+    if (of_motion.empty()) return judged;
+    judged.why_not = why;
+    if (count > 0)
+      judged.why_not += " (" + std::to_string(count) + " of " + count_text(finding.moves.size(), "move") + " accepted)";
+    for (const std::size_t k : of_motion) {
+      const auto part = applied.find(k);
+      part != applied.end() && is_of_other(accepted_[k].toolpath) ? apply_in_part(k, finding, part->second)
+                                                                  : void_entry(k, judged.why_not);
     }
     return judged;
+  }
+
+  // Marks an entry of another program that accepts some moves of a finding here. It keeps its effect where it was made.
+  void apply_in_part(std::size_t k, const CheckedFinding& finding, std::size_t moves) {
+    BaselineEntry& entry = facts_.entries[k];
+    if (entry.use != BaselineEntry::Use::unused) return;
+    entry.use = BaselineEntry::Use::partly;
+    entry.why = "it accepts " + std::to_string(moves) + " of " + count_text(finding.moves.size(), "move") +
+                " of the gouge in line " + std::to_string(finding.line);
   }
 
   // Voids an entry whose finding has changed: none of its moves is accepted any more.
@@ -151,24 +166,19 @@ class Baseline {
 
   // Voids entries of this program whose motion is not in the path any more, where another motion gouges in its line.
   void explain_changed_motion(std::size_t i) {
-    const Event& event = model_.result->events[i];
+    const CheckedFinding& finding = checked_.findings[i];
     EventAcceptance& judged = facts_.events[i];
-    const MoveVerdict& worst = model_.result->verdicts[event.worst_move];
-    if (event.state != MoveState::gouge || judged.is_accepted || !worst.witness) return;
-    const LengthUnit unit = model_.toolpath->unit;
-    const std::size_t first = model_.toolpath->moves[event.first_move].line,
-                      last = model_.toolpath->moves[event.last_move].line;
+    if (!finding.is_gouge || judged.is_accepted) return;
     for (std::size_t k = 0; k < accepted_.size(); ++k) {
       const Acceptance& a = accepted_[k];
-      const bool is_there = first <= a.line && a.line <= last && a.tool == tool_key(*model_.toolpath, event.tool) &&
-                            a.body == body_name(event.body) && a.against == against_name(event.against);
-      if (!is_there || is_of_other_program(a.toolpath, model_) || facts_.entries[k].use != BaselineEntry::Use::unused)
-        continue;
+      const bool is_there = is_made_in(a, finding) && a.tool == finding.tool_key && a.body == finding.body &&
+                            a.against == finding.against;
+      if (!is_there || facts_.entries[k].use != BaselineEntry::Use::unused) continue;
       double accepted_mm = 0;
       for (const AcceptedMove& move : a.moves) accepted_mm = std::max(accepted_mm, move.depth_upper_mm);
       const std::string why = "the motion in line " + std::to_string(a.line) +
-                              " is another one: " + depth_text(worst.depth_mm, unit) + " deep, accepted up to " +
-                              depth_text(accepted_mm, unit);
+                              " is another one: " + depth_text(finding.depth_mm, checked_.unit) +
+                              " deep, accepted up to " + depth_text(accepted_mm, checked_.unit);
       void_entry(k, why);
       if (judged.entries.empty()) judged.why_not = why;
       judged.entries.push_back(k);
@@ -181,41 +191,32 @@ class Baseline {
     for (const EventAcceptance& event : facts_.events) concerned.insert(event.entries.begin(), event.entries.end());
     for (std::size_t k = 0; k < accepted_.size(); ++k) {
       BaselineEntry& entry = facts_.entries[k];
-      if (!is_of_other_program(entry.toolpath, model_) || entry.use == BaselineEntry::Use::applied ||
-          concerned.contains(k))
-        continue;
+      if (!is_of_other(entry.toolpath) || entry.use == BaselineEntry::Use::applied || concerned.contains(k)) continue;
       entry.use = BaselineEntry::Use::elsewhere;
       entry.why.clear();
     }
   }
 
-  MoveAnswer ask(const Event& event, const std::string& tool, std::size_t move) {
-    const MoveVerdict& verdict = model_.result->verdicts[move];
-    const std::string line = "line " + std::to_string(model_.toolpath->moves[move].line);
+  MoveAnswer ask(const CheckedFinding& finding, const CheckedMove& move) {
+    const std::string line = "line " + std::to_string(move.line);
     MoveAnswer answer;
     answer.why_not = line + " was not accepted";
-    if (verdict.state != MoveState::gouge || !verdict.witness) return answer;
-    if (!verdict.reason.is(Reason::Kind::none) && !verdict.reason.names_limit()) {
-      answer.why_not = line + " leaves more open: " + reason_text(verdict.reason);
+    if (move.motion.empty()) return answer;
+    if (!move.open.empty()) {
+      answer.why_not = line + " leaves more open: " + move.open;
       return answer;
     }
-    const std::string motion = motion_key(*model_.toolpath, move), body = body_name(verdict.witness->body),
-                      against = against_name(verdict.witness->against);
-    if (event.body != verdict.witness->body || event.against != verdict.witness->against) return answer;
-    if (const auto voided = void_.find({motion, body, against}); voided != void_.end()) {
+    if (const auto voided = void_.find({move.motion, finding.body, finding.against}); voided != void_.end()) {
       answer.of_motion = voided->second;
       answer.why_not = line + " was accepted, but " + facts_.entries[*voided->second.begin()].why;
     }
-    const auto found = slots_.find({motion, tool, body, against});
+    const auto found = slots_.find({move.motion, finding.tool, finding.body, finding.against});
     if (found == slots_.end()) return answer;
     Slot& slot = found->second;
     for (const Offer& offer : slot.offers) answer.of_motion.insert(offer.entry);
-    if (slot.used >= slot.passes) {
-      answer.why_not = line + " gouges more often than was accepted";
-      return answer;
-    }
     answer.why_not = line + " gouges more often than was accepted";
-    if (Offer* const offer = find_offer(slot, event, verdict, line, answer.why_not)) {
+    if (slot.used >= slot.passes) return answer;
+    if (Offer* const offer = find_offer(slot, finding, move, line, answer.why_not)) {
       offer->is_used = true;
       ++slot.used;
       answer.entry = offer->entry;
@@ -224,17 +225,16 @@ class Baseline {
   }
 
   // Returns an offer that accepts the depth of a move: one that was made in the lines of its finding, if there is one.
-  Offer* find_offer(Slot& slot, const Event& event, const MoveVerdict& verdict, const std::string& line,
+  Offer* find_offer(Slot& slot, const CheckedFinding& finding, const CheckedMove& move, const std::string& line,
                     std::string& why_not) const {
     Offer* found = nullptr;
     for (Offer& offer : slot.offers) {
       if (offer.is_used) continue;
-      if (const auto why = why_deeper(verdict, *offer.move)) {
+      if (const auto why = why_deeper(move, *offer.move)) {
         if (found == nullptr) why_not = line + " is " + *why;
         continue;
       }
-      const bool is_own = is_made_in(accepted_[offer.entry], event);
-      if (is_own) return &offer;
+      if (is_made_in(accepted_[offer.entry], finding)) return &offer;
       if (found == nullptr) found = &offer;
     }
     return found;
@@ -242,27 +242,27 @@ class Baseline {
 
   // Returns why a move is deeper than accepted. Both depths belong to one motion in one set-up, so they can differ only
   // by the gap between their certified bounds.
-  [[nodiscard]] std::optional<std::string> why_deeper(const MoveVerdict& now, const AcceptedMove& then) const {
-    const LengthUnit unit = model_.toolpath->unit;
+  [[nodiscard]] std::optional<std::string> why_deeper(const CheckedMove& now, const AcceptedMove& then) const {
+    const LengthUnit unit = checked_.unit;
     const auto is_within = [](double a_mm, double b_mm) {
       return a_mm <= b_mm + Tolerance::kFewRoundings * (1 + b_mm);
     };
-    const double resolution_mm = model_.options.resolution_mm;
+    const double resolution_mm = checked_.setup.resolution_mm;
     if (!is_within(now.depth_mm, then.depth_upper_mm))
       return depth_text(now.depth_mm, unit) + " deep, accepted up to " + depth_text(then.depth_upper_mm, unit);
     if (!is_within(now.depth_upper_mm, then.depth_upper_mm + resolution_mm))
       return "certified to " + depth_text(now.depth_upper_mm, unit) + " only, accepted up to " +
              depth_text(then.depth_upper_mm, unit);
-    if (!now.overcut) return std::nullopt;
+    if (!now.overcut_mm) return std::nullopt;
     if (!then.overcut_upper_mm) return std::string("known with an overcut now, and was accepted without");
-    if (!is_within(now.overcut->lower_mm, *then.overcut_upper_mm))
-      return "at an overcut of " + depth_text(now.overcut->lower_mm, unit) + ", accepted up to " +
+    if (!is_within(*now.overcut_mm, *then.overcut_upper_mm))
+      return "at an overcut of " + depth_text(*now.overcut_mm, unit) + ", accepted up to " +
              depth_text(*then.overcut_upper_mm, unit);
     return std::nullopt;
   }
 
   const std::vector<Acceptance>& accepted_;
-  const ReportModel& model_;
+  const CheckedFindings& checked_;
   BaselineFacts facts_;
   std::map<Key, Slot> slots_;
   std::map<std::tuple<std::string, std::string, std::string>, std::set<std::size_t>> void_;
@@ -270,9 +270,16 @@ class Baseline {
 
 }  // namespace
 
+BaselineFacts apply_acceptances(const std::vector<Acceptance>& accepted, const CheckedFindings& checked) {
+  return Baseline(accepted, checked).run();
+}
+
 BaselineFacts apply_baseline(const std::string& file, const std::vector<Acceptance>& accepted,
                              const ReportModel& model) {
-  return Baseline(file, accepted, model).run();
+  BaselineFacts facts = apply_acceptances(accepted, checked_findings(model));
+  facts.file = file;
+  for (std::size_t k = 0; k < accepted.size(); ++k) facts.entries[k].text = write_entry(accepted[k]);
+  return facts;
 }
 
 }  // namespace gouge

@@ -44,7 +44,7 @@ Json entries_of(const StoredResult& result) {
   std::ranges::sort(numbers);
   const AcceptanceNote note{"?", "?", "?"};
   for (const std::size_t number : numbers) {
-    const Result<Acceptance> made = accept_finding(result, number, note, {});
+    const Result<Acceptance> made = accept_finding(result, number, note);
     Json entry = made ? pieces_of(*made) : Json{{"no", valid_utf8(made.error().message)}};
     bytes += entry.dump().size();
     if (bytes > kMaxEntryBytes) break;

@@ -74,7 +74,7 @@ const Words& role_words() {
   return words;
 }
 const Words& use_words() {
-  static const Words words = {"applied", "unused", "void", "elsewhere"};
+  static const Words words = {"applied", "unused", "void", "elsewhere", "partly"};
   return words;
 }
 

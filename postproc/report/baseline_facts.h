@@ -12,9 +12,10 @@ namespace gouge {
 struct BaselineEntry {
   enum class Use {
     applied,
-    unused,    ///< the accepted motions no longer gouge
-    voided,    ///< `why` states the change
-    elsewhere  ///< made for another program, and no finding of this one has its motions
+    unused,     ///< the accepted motions no longer gouge
+    voided,     ///< `why` states the change
+    elsewhere,  ///< made for another program, and no finding of this one has its motions
+    partly      ///< made for another program, and accepts only some moves of a finding of this one, as `why` states
   };
 
   std::string by{}, date{}, reason{};  ///< as given at the acceptance
@@ -23,7 +24,7 @@ struct BaselineEntry {
   std::size_t line = 0;                ///< its line there
   std::string text{};                  ///< the entry with its seal, as JSON
   Use use = Use::unused;
-  std::string why{};  ///< if voided: the change that voids it
+  std::string why{};  ///< if voided: the change that voids it; if partly: the moves that it accepts
 };
 
 /// The acceptance of one of CheckResult::events.

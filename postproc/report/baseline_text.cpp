@@ -14,7 +14,7 @@ std::string accepted_words(const ReportModel& model) {
 namespace {
 
 std::string words_of_other(const ReportModel& model, const BaselineEntry& entry) {
-  if (!is_of_other_program(entry.toolpath, model)) return {};
+  if (!is_of_other_program(entry.toolpath, model.toolpath->file)) return {};
   return kThroughEntry + entry.toolpath + ", line " + std::to_string(entry.line);
 }
 
@@ -27,14 +27,14 @@ bool is_same_program(const std::string& accepted, const std::string& checked) {
   return ends_with(accepted, checked) || ends_with(checked, accepted);
 }
 
-bool is_of_other_program(const std::string& toolpath, const ReportModel& model) {
-  return !toolpath.empty() && !is_same_program(toolpath, model.toolpath->file);
+bool is_of_other_program(const std::string& accepted, const std::string& checked) {
+  return !accepted.empty() && !is_same_program(accepted, checked);
 }
 
 std::size_t accepted_through_others(const ReportModel& model) {
   return static_cast<std::size_t>(std::ranges::count_if(model.baseline.events, [&](const EventAcceptance& event) {
     return event.is_accepted && std::ranges::any_of(event.entries, [&](std::size_t entry) {
-             return is_of_other_program(model.baseline.entries[entry].toolpath, model);
+             return is_of_other_program(model.baseline.entries[entry].toolpath, model.toolpath->file);
            });
   }));
 }
@@ -61,9 +61,10 @@ std::string baseline_counts(const ReportModel& model) {
   const std::size_t others = accepted_through_others(model);
   const std::string through =
       others == 0 ? "" : "; " + count_text(others, "finding") + " accepted" + kThroughEntry + "another program";
-  const std::string elsewhere = count(BaselineEntry::Use::elsewhere);
+  const std::string elsewhere = count(BaselineEntry::Use::elsewhere), partly = count(BaselineEntry::Use::partly);
   return count(BaselineEntry::Use::applied) + " applied, " + count(BaselineEntry::Use::unused) +
          " with nothing left to accept, " + count(BaselineEntry::Use::voided) + " void" +
+         (partly == "0" ? "" : ", " + partly + " in part") +
          (elsewhere == "0" ? "" : ", " + elsewhere + " of other programs") + through;
 }
 
@@ -72,6 +73,8 @@ std::string baseline_lines(const ReportModel& model) {
   std::string text = printable("acceptances of " + model.baseline.file + ": " + baseline_counts(model)) + "\n";
   for (const BaselineEntry& entry : model.baseline.entries) {
     if (entry.use == BaselineEntry::Use::voided) text += printable("void: " + entry.finding + ": " + entry.why) + "\n";
+    if (entry.use == BaselineEntry::Use::partly)
+      text += printable("in part: " + entry.finding + ": " + entry.why) + "\n";
   }
   return text;
 }

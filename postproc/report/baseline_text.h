@@ -19,15 +19,15 @@ namespace gouge {
 /// Returns "2 applied, 1 no longer needed, 0 void"; empty without --baseline.
 [[nodiscard]] std::string baseline_counts(const ReportModel& model);
 
-/// Returns the lines of the summary: the number of acceptances that apply, and each void one with the change that voids
-/// it. Empty without --baseline.
+/// Returns the lines of the summary: the number of acceptances that apply, each void one with the change that voids it,
+/// and each one that accepts only a part of a finding. Empty without --baseline.
 [[nodiscard]] std::string baseline_lines(const ReportModel& model);
 
 /// Returns whether a file of an acceptance may be the checked one: their names are equal, or one ends with the other.
 [[nodiscard]] bool is_same_program(const std::string& accepted, const std::string& checked);
 
 /// Returns whether an acceptance was made for another program than the checked one; false if it names none.
-[[nodiscard]] bool is_of_other_program(const std::string& toolpath, const ReportModel& model);
+[[nodiscard]] bool is_of_other_program(const std::string& accepted, const std::string& checked);
 
 /// Returns the number of accepted findings whose acceptance was made for another program.
 [[nodiscard]] std::size_t accepted_through_others(const ReportModel& model);

@@ -126,6 +126,8 @@ class HtmlReport {
     for (const BaselineEntry& entry : model_.baseline.entries) {
       if (entry.use == BaselineEntry::Use::voided)
         out += "<p class=\"but\">Void: " + xml_escaped(entry.finding + ": " + entry.why) + ".</p>\n";
+      if (entry.use == BaselineEntry::Use::partly)
+        out += "<p class=\"soft\">In part: " + xml_escaped(entry.finding + ": " + entry.why) + ".</p>\n";
     }
     return out;
   }

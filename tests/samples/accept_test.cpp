@@ -332,7 +332,7 @@ TEST_F(Accept, AllOfACleanResultIsAnEmptyFile) {
   ASSERT_EQ(shop_.check("a", path_text(stations())).exit_status, 0);
   const Outcome ran = shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "b", "-o", "accepted.json"});
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
-  EXPECT_EQ(ran.out, "accepted.json has 0 accepted findings\n");
+  EXPECT_EQ(ran.out, "nothing to accept\naccepted.json has 0 accepted findings\n");
   EXPECT_EQ(check(path_text(stations())).exit_status, 0);
 }
 

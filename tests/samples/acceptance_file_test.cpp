@@ -133,5 +133,64 @@ TEST_F(AcceptanceFile, FindingsWithEqualMotionsAreNotCalledAcceptedBefore) {
             std::string::npos);
 }
 
+/// Two paths that share the motion down at x = 40. The second one gouges in two further motions of the same finding.
+struct SharedMotion {
+  std::string one = path_text(stations({{40, -0.2}}));
+  std::string two = path_text(stations({{40, -0.2}, {50, -0.35}}));
+};
+
+TEST_F(AcceptanceFile, FindingsOfTwoProgramsThatShareAMotionAreBothAccepted) {
+  shop_.write("part.stl", plate_stl());
+  shop_.write("one.apt", SharedMotion().one);
+  shop_.write("two.apt", SharedMotion().two);
+  const auto check = [&](const std::string& name, const Words& more) {
+    Words words = {"check", name + ".apt", "--part", "part.stl", "--json", name + ".json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop_.run(words);
+  };
+  const auto accepted = [&](Words words) {
+    const Words note = {"--reason", "r", "--by", "b", "-o", "accepted.json"};
+    words.insert(words.begin(), "accept");
+    words.insert(words.end(), note.begin(), note.end());
+    return shop_.run(words);
+  };
+  ASSERT_EQ(check("one", {}).exit_status, 1);
+  ASSERT_EQ(check("two", {}).exit_status, 1);
+  for (const Words& second : {Words{"two.json", "--all"}, Words{"two.json", "--finding", "1"}}) {
+    (void)shop_.run_script("rm -f accepted.json");
+    ASSERT_EQ(accepted({"one.json", "--all"}).exit_status, 0);
+    const Outcome part = check("two", {"--baseline", "accepted.json"});
+    EXPECT_EQ(part.exit_status, 1);
+    EXPECT_NE(part.out.find("0 void, 1 in part\n"), std::string::npos) << part.out;
+    EXPECT_NE(part.out.find("\nin part: one.apt:"), std::string::npos) << part.out;
+    EXPECT_NE(part.out.find(": it accepts 1 of 3 moves of the gouge in line "), std::string::npos) << part.out;
+    EXPECT_EQ(shop_.json("two.json").at("baseline").at("entries").at(0).at("use"), "partly");
+    ASSERT_EQ(check("two", {}).exit_status, 1);
+    const Outcome ran = accepted(second);
+    EXPECT_EQ(ran.exit_status, 0) << ran.err;
+    EXPECT_TRUE(ran.out.starts_with("accepted: two.apt:")) << ran.out;
+    EXPECT_TRUE(ran.out.ends_with("\naccepted.json has 2 accepted findings\n")) << ran.out;
+    EXPECT_EQ(check("one", {"--baseline", "accepted.json"}).exit_status, 0);
+    EXPECT_EQ(check("two", {"--baseline", "accepted.json"}).exit_status, 0);
+    EXPECT_EQ(accepted({"two.json", "--all"}).out,
+              "1 finding accepted before\naccepted.json has 2 accepted findings\n");
+    EXPECT_NE(accepted({"two.json", "--finding", "1"}).err.find("[accept-twice]"), std::string::npos);
+  }
+}
+
+TEST_F(AcceptanceFile, FindingsOfABatchThatShareAMotionAreAllAccepted) {
+  shop_.write("part.stl", plate_stl());
+  shop_.write("one.apt", SharedMotion().one);
+  shop_.write("two.apt", SharedMotion().two);
+  const Words batch = {"batch", "one.apt", "two.apt", "--part", "part.stl", "-o", "night", "-q"};
+  ASSERT_EQ(shop_.run(batch).exit_status, 1);
+  const Outcome ran = shop_.run({"accept", "night", "--all", "--reason", "r", "--by", "b", "-o", "accepted.json"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_EQ(ran.out.find("too"), std::string::npos) << ran.out;
+  Words again = batch;
+  again.insert(again.end(), {"--baseline", "accepted.json"});
+  EXPECT_EQ(shop_.run(again).exit_status, 0);
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::acceptance_file_test

@@ -1,3 +1,4 @@
+#include "postproc/accept/accept_findings.h"
 #include "postproc/accept/accepted.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ struct Accepting : SmallReport {
 
 TEST(AcceptFinding, HoldsEachMotionWithItsDepth) {
   const Accepting report;
-  const Result<Acceptance> made = accept_finding(report.stored(), 2, kNote, {});
+  const Result<Acceptance> made = accept_finding(report.stored(), 2, kNote);
   ASSERT_TRUE(made.has_value()) << Accepting::error_of(made);
   EXPECT_EQ(made->reason, "stock allowance");
   EXPECT_EQ(made->finding, "0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2");
@@ -41,7 +42,7 @@ TEST(AcceptFinding, HoldsEachMotionWithItsDepth) {
 
 TEST(AcceptFinding, TheFileReadsBackAsWritten) {
   const Accepting report;
-  const Acceptance made = *accept_finding(report.stored(), 2, kNote, {});
+  const Acceptance made = *accept_finding(report.stored(), 2, kNote);
   const std::string text = write_accepted({made});
   const Result<std::vector<Acceptance>> read = read_accepted("a.json", text);
   ASSERT_TRUE(read.has_value()) << to_text(read.error());
@@ -53,23 +54,40 @@ TEST(AcceptFinding, TheFileReadsBackAsWritten) {
 
 TEST(AcceptFinding, NeitherTwiceNorWhatIsOpen) {
   Accepting report;
-  const Acceptance made = *accept_finding(report.stored(), 2, kNote, {});
-  EXPECT_TRUE(Accepting::error_of(accept_finding(report.stored(), 2, kNote, {made})).starts_with("accept-twice"));
-  EXPECT_TRUE(Accepting::error_of(accept_finding(report.stored(), 9, kNote, {})).starts_with("usage"));
-  const Result<Acceptance> buried = accept_finding(report.stored(), 1, kNote, {});
+  const Acceptance made = *accept_finding(report.stored(), 2, kNote);
+  const AcceptedFindings again = accept_findings(report.stored(), {2}, kNote, {made});
+  EXPECT_EQ(again.known, std::vector<std::size_t>{2});
+  EXPECT_TRUE(again.made.empty());
+  EXPECT_TRUE(Accepting::error_of(accept_finding(report.stored(), 9, kNote)).starts_with("usage"));
+  const Result<Acceptance> buried = accept_finding(report.stored(), 1, kNote);
   EXPECT_TRUE(Accepting::error_of(buried).starts_with("accept-impossible")) << Accepting::error_of(buried);
   report.result.verdicts[2].depth_upper_mm = 0.4;
-  EXPECT_NE(Accepting::error_of(accept_finding(report.stored(), 2, kNote, {})).find("not certified"),
-            std::string::npos);
+  EXPECT_NE(Accepting::error_of(accept_finding(report.stored(), 2, kNote)).find("not certified"), std::string::npos);
   report.result.verdicts[2].depth_upper_mm = 0.3338;
   report.model.tools[0].identity.clear();
-  EXPECT_NE(Accepting::error_of(accept_finding(report.stored(), 2, kNote, {})).find("not defined"), std::string::npos);
+  EXPECT_NE(Accepting::error_of(accept_finding(report.stored(), 2, kNote)).find("not defined"), std::string::npos);
+}
+
+// An entry of another program has one of two motions, so the finding needs an entry of its own.
+TEST(AcceptFindings, AMotionThatIsAcceptedLeavesTheRestToAccept) {
+  const Accepting report;
+  const StoredResult stored = report.stored();
+  Acceptance part = *accept_finding(stored, 2, kNote);
+  part.toolpath = "other.apt";
+  part.moves.pop_back();
+  EXPECT_EQ(find_unaccepted(stored, {2}, {part}).at(0).why, "line 12 was not accepted (1 of 2 moves accepted)");
+  const AcceptedFindings outcome = accept_findings(stored, {1, 2, 9}, kNote, {part});
+  ASSERT_EQ(outcome.made.size(), 1U);
+  EXPECT_EQ(outcome.made[0].moves.size(), 2U);
+  EXPECT_EQ(outcome.refused.size(), 2U) << "a buried tool, and a number that is not there";
+  EXPECT_EQ(outcome.kept, std::vector<std::size_t>{2});
+  EXPECT_TRUE(find_unaccepted(stored, outcome.kept, {part, outcome.made[0]}).empty());
 }
 
 // Every number and word of an entry is held by its seal; order of keys and white space are not.
 TEST(ReadAccepted, AnEditedEntryIsRefused) {
   const Accepting report;
-  const std::string text = write_accepted({*accept_finding(report.stored(), 2, kNote, {})});
+  const std::string text = write_accepted({*accept_finding(report.stored(), 2, kNote)});
   const std::size_t first = text.find("\"accepted\""), last = text.find("\"seal\"");
   for (std::size_t at = first + 20; at < last; ++at) {
     if (std::isdigit(static_cast<unsigned char>(text[at])) == 0) continue;
@@ -85,7 +103,7 @@ TEST(ReadAccepted, AnEditedEntryIsRefused) {
 
 TEST(AcceptedSetup, EveryPartOfItVoids) {
   const Accepting report;
-  const AcceptedSetup then = accept_finding(report.stored(), 2, kNote, {})->setup;
+  const AcceptedSetup then = accept_finding(report.stored(), 2, kNote)->setup;
   const auto change = [&](auto&& edit) {
     AcceptedSetup now = then;
     edit(now);

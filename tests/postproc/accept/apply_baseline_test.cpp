@@ -20,7 +20,7 @@ struct Accepted : SmallReport {
     }
     model.tools[0].identity = "ball 10";
     const StoredResult stored = *read_result("r.json", write_json(model));
-    entries = {*accept_finding(stored, 2, {"reason", "by", "2026-11-23"}, {})};
+    entries = {*accept_finding(stored, 2, {"reason", "by", "2026-11-23"})};
   }
   [[nodiscard]] BaselineFacts apply() const { return apply_baseline("a.json", entries, model); }
   /// That nothing is accepted, and why.
@@ -101,6 +101,17 @@ TEST(ApplyBaseline, AnEntryOfAnotherProgramIsNotVoidBecauseItsLineGougesHere) {
   EXPECT_EQ(facts.entries[0].use, BaselineEntry::Use::elsewhere);
   EXPECT_EQ(facts.accepted_findings(), 0U);
   EXPECT_TRUE(facts.events[0].entries.empty());
+}
+
+TEST(ApplyBaseline, AnEntryOfAnotherProgramThatAcceptsAPartIsNotVoid) {
+  Accepted report;
+  report.entries[0].toolpath = "other.apt";
+  report.entries[0].moves.pop_back();
+  const BaselineFacts facts = report.apply();
+  EXPECT_EQ(facts.entries[0].use, BaselineEntry::Use::partly);
+  EXPECT_EQ(facts.entries[0].why, "it accepts 1 of 2 moves of the gouge in line 12");
+  EXPECT_FALSE(facts.is_accepted(0));
+  EXPECT_EQ(facts.events[0].why_not, "line 12 was not accepted (1 of 2 moves accepted)");
 }
 
 TEST(ApplyBaseline, AnotherToolOrSetUpVoids) {
