@@ -160,6 +160,33 @@ void note_missing(const ProjectOption& option, std::ostream& out) {
   }
 }
 
+// Returns whether a file of the folder stands in a value of the project: "plate.stl", "./plate.stl" or
+// "plate.stl,clearance=1".
+bool stands_in(const Json& value, const std::string& file) {
+  if (value.is_structured()) return std::ranges::any_of(value, [&](const Json& one) { return stands_in(one, file); });
+  if (!value.is_string()) return false;
+  const std::string text = value.get<std::string>();
+  const auto is_it = [&](const std::string& name) {
+    std::error_code ignored;
+    return fs::path(name).lexically_normal() == fs::path(file) ||
+           (!name.empty() && fs::equivalent(name, file, ignored));
+  };
+  return is_it(text) || is_it(text.substr(0, text.find(',')));
+}
+
+// Names the files of the folder that stand nowhere in the project.
+void note_unused(const Folder& folder, const Json& json, std::ostream& out) {
+  const auto note = [&](const std::vector<std::string>& files, const std::string& why) {
+    for (const std::string& file : files)
+      if (!stands_in(json, file)) out << "not used: " << printable(file) << " (" << why << ")\n";
+  };
+  note(folder.unclear, "a part, a fixture?");
+  note(folder.parts, "a part?");
+  note(folder.fixtures, "a fixture?");
+  note(folder.heads, "a head?");
+  if (!json.contains("tools")) note(folder.libraries, "one of several tool libraries");
+}
+
 }  // namespace
 
 int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
@@ -185,10 +212,7 @@ int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostr
     out << "  " << padded(option.key, 12) << " " << printable(option.value()) << "\n";
   for (const ProjectOption& option : project->options) note_missing(option, out);
   if (!json->contains("part")) out << "no part: name it with \"part\", the STL of the finished shape\n";
-  for (const std::string& file : folder.unclear) out << "not used: " << printable(file) << " (a part, a fixture?)\n";
-  if (folder.libraries.size() > 1 && !json->contains("tools"))
-    for (const std::string& file : folder.libraries)
-      out << "not used: " << printable(file) << " (one of several tool libraries)\n";
+  note_unused(folder, *json, out);
   return kExitClean;
 }
 

@@ -233,6 +233,21 @@ TEST(Project, InitFindsALibraryOfAnotherProgram) {
   EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/gougecheck.json")), nlohmann::json({{"tools", "mills.json"}}));
 }
 
+TEST(Project, InitNamesAsUnusedOnlyFilesThatStandNowhereInTheProject) {
+  const std::string folder = fresh_folder() + "/unused";
+  fs::create_directory(folder);
+  for (const char* file : {"plate.stl", "root.stl", "vise.stl", "spare.stl", "clamp.stl"})
+    write_text(folder + "/" + file, "");
+  const Outcome wrote = run_gougecheck(
+      folder, {"init", "--part", "./plate.stl,tolerance=0.005", "--stock", "root.stl", "--fixture", "vise.stl"});
+  EXPECT_EQ(wrote.exit_status, 0) << wrote.err;
+  EXPECT_NE(wrote.out.find("\nnot used: spare.stl (a part, a fixture?)\nnot used: clamp.stl (a fixture?)\n"),
+            std::string::npos)
+      << wrote.out;
+  for (const char* used : {"not used: plate.stl", "not used: root.stl", "not used: vise.stl"})
+    EXPECT_EQ(wrote.out.find(used), std::string::npos) << wrote.out;
+}
+
 TEST(Project, InitKnowsFilesByTheirNamesInSeveralLanguages) {
   const auto project_of = [](const std::vector<std::string>& files) {
     const std::string folder = fresh_folder() + "/names";
