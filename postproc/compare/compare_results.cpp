@@ -50,6 +50,35 @@ DepthBounds overcut_of(const MoveRecord& move) {
   return {*move.overcut_mm, move.overcut_upper_mm.value_or(kAny_mm)};
 }
 
+/// Numbers of the motions that make a finding wider.
+struct Widening {
+  std::size_t fresh = 0;    ///< the same motion did not gouge before
+  std::size_t unknown = 0;  ///< the same motion was not decided before
+  std::size_t buried = 0;   ///< the same motion gouged before, and the tool is buried now
+  std::size_t far = 0;      ///< other motions than before, whose deepest points are far from those before
+
+  /// Returns the number to which a move belongs whose motion had another state before; `then` is null if it was clean.
+  [[nodiscard]] std::size_t& of(const MoveRecord& now, const MoveRecord* then) {
+    if (then == nullptr || then->state == MoveState::near_miss) return fresh;
+    return then->state == MoveState::gouge && now.state == MoveState::buried ? buried : unknown;
+  }
+  /// Returns a sentence for each kind; empty if there is none.
+  [[nodiscard]] std::string text() const {
+    std::string all;
+    const auto add = [&all](const std::string& one) { all += (all.empty() ? "" : "; ") + one; };
+    if (fresh > 0) add(count_text(fresh, "motion gouges", "motions gouge") + " where nothing gouged before");
+    if (unknown > 0)
+      add(count_text(unknown, "motion gouges", "motions gouge") + " that " + (unknown == 1 ? "was" : "were") +
+          " not checked or not certified before");
+    if (buried > 0) add("the tool is buried in " + count_text(buried, "motion") + " that gouged before");
+    if (far > 0)
+      add("more motions gouge than before; " + std::to_string(far) + " of them " +
+          (far == 1 ? "has its deepest point" : "have their deepest points") + " more than " +
+          std::to_string(static_cast<int>(kSamePlace_mm)) + " mm from those before");
+    return all;
+  }
+};
+
 /// The moves of the new path between two neighbouring motions that the old path has too.
 struct Stretch {
   std::size_t first = 0, end = 0;
@@ -109,7 +138,7 @@ class Comparer {
         old_overcut_upper = std::max(old_overcut_upper, overcut_of(*move).high);
       }
     }
-    std::size_t wider = 0;
+    Widening wider;
     std::string of_one_move;  // a move that became deeper although the finding as a whole did not
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
@@ -123,23 +152,21 @@ class Comparer {
           made.change = Change::deeper;
         if (!is_there(places, *move) && has_grown(n, was, stretch_of(move->move, stretch))) {
           made.change = Change::deeper;
-          ++wider;
+          ++wider.far;
         }
       } else if (is_deeper(*move, before_.find_move(other))) {
         made.change = Change::deeper;
         const MoveRecord* then = before_.find_move(other);
         if (then == nullptr || then->state != move->state)
-          ++wider;
+          ++wider.of(*move, then);
         else if (of_one_move.empty() && is_above(depth.low, depth_of(*then).high))
           of_one_move = "line " + std::to_string(move->line) + " is " + depth_text(depth.low, after_.record.unit) +
                         " deep, " + depth_text(depth_of(*then).low, after_.record.unit) + " before";
       }
     }
     if (made.change == Change::deeper) {
-      if (wider > 0)
-        made.why = count_text(wider, "motion gouges", "motions gouge") + " where nothing gouged before";
-      else if (!is_above(now.low, old.high))
-        made.why = of_one_move;
+      made.why = wider.text();
+      if (made.why.empty() && !is_above(now.low, old.high)) made.why = of_one_move;
       return made;
     }
     if (now.high + options_.same_within_mm < old.low) made.change = Change::shallower;

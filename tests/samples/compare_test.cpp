@@ -121,7 +121,30 @@ TEST_F(Compare, FindingsThatSplitAreNoWorseAndThoseThatMergeAre) {
   const Outcome merged = compare("two", "one");
   EXPECT_EQ(merged.exit_status, 1);
   EXPECT_EQ(counts(), "deeper 1");
-  EXPECT_NE(merged.out.find("where nothing gouged before"), std::string::npos) << merged.out;
+  EXPECT_NE(merged.out.find("more motions gouge than before; "), std::string::npos) << merged.out;
+  EXPECT_EQ(merged.out.find("nothing gouged before"), std::string::npos) << merged.out;
+}
+
+// A point within a gouging straight move makes two motions of one. The old motion did gouge there.
+TEST_F(Compare, AWiderFindingOfOtherMotionsIsNotSaidToBeWhereNothingGouged) {
+  std::vector<Station> one = stations({{30, -0.1}, {70, -0.3}});
+  one.erase(one.begin() + 3, one.begin() + 6);  // from x = 30 straight to x = 70
+  std::vector<Station> denser = one;
+  denser.insert(denser.begin() + 3, {50, -0.2});
+  shop_.check("a", path_text(one));
+  shop_.check("b", path_text(denser));
+  EXPECT_EQ(compare("a", "b").exit_status, 1);
+  EXPECT_EQ(counts(), "deeper 1");
+  EXPECT_EQ(shop_.json("changes.json").at("findings").at(0).at("why"),
+            "more motions gouge than before; 1 of them has its deepest point more than 1 mm from those before");
+}
+
+TEST_F(Compare, AMotionThatGougesAnewIsNamed) {
+  shop_.check("a", path_text(stations(kTwoDeep)), {"--stock-to-leave", "0"});
+  shop_.check("b", path_text(stations(kTwoDeep)), {"--stock-to-leave", "0.1"});
+  EXPECT_EQ(compare("a", "b").exit_status, 1);
+  const std::string changes = shop_.read("changes.json");
+  EXPECT_NE(changes.find("motions gouge where nothing gouged before"), std::string::npos) << changes;
 }
 
 TEST_F(Compare, AnotherMotionAtTheSamePlaceIsNew) {
