@@ -158,23 +158,31 @@ Json relation_json(const std::optional<PathRelation>& relation) {
   return {{"factor", relation->factor}, {"shift_mm", Json::array({shift.x(), shift.y(), shift.z()})}};
 }
 
-std::string verdict_text(const PathComparison& c) {
+/// Returns "; 3 feed rates differ", which does not affect the exit status; empty if none does.
+std::string other_feeds_text(const PathComparison& c) {
+  const std::size_t count = std::max(c.forward.other_feeds, c.backward.other_feeds);
+  return count == 0 ? "" : "; " + count_text(count, "feed rate differs", "feed rates differ");
+}
+
+std::string difference_words(const PathComparison& c) {
   const std::string limit = display_text(c.same_within_mm, kDecimals) + " mm";
-  if (c.exit_status() == kExitClean) return "same: no tip or axis differs by more than " + limit + "\n";
-  if (c.exit_status() == kExitNotChecked) return "same as far as it was compared, within " + limit + "\n";
+  if (c.exit_status() == kExitClean) return "same: no tip or axis differs by more than " + limit;
+  if (c.exit_status() == kExitNotChecked) return "same as far as it was compared, within " + limit;
   const bool is_of_tip = c.tip_mm() > c.same_within_mm;
   if (!is_of_tip && c.axis_mm() <= c.same_within_mm) {
     const std::string found = c.rapids() == 0 ? std::string("the order of positions")
                                               : count_text(c.rapids(), "feed") + " of one toolpath " +
                                                     (c.rapids() == 1 ? "is a rapid" : "are rapids") + " in the other";
-    return "differs: " + found + "; no tip or axis differs by more than " + limit + "\n";
+    return "differs: " + found + "; no tip or axis differs by more than " + limit;
   }
   return std::string("differs: ") +
          (is_of_tip ? "a tip by " + display_text(c.tip_mm(), kDecimals) + " mm"
                     : "an axis by " + display_text(c.axis_mm(), kDecimals) + " mm at " +
                           display_text(PathComparison::kHeight_mm, 0) + " mm above the tip") +
-         ", more than " + limit + " (--same-within)\n";
+         ", more than " + limit + " (--same-within)";
 }
+
+std::string verdict_text(const PathComparison& c) { return difference_words(c) + other_feeds_text(c) + "\n"; }
 
 }  // namespace
 

@@ -46,6 +46,8 @@ TEST_F(ComparePaths, ReadingsOfAPathAreComparedAsJson) {
   const Outcome text = shop_.run({"compare", "--paths", "a.apt", "b.apt"});
   EXPECT_NE(text.out.find("1, first feed 200 mm/min at a.apt:6, nearest b.apt:6: feed 220 mm/min"), std::string::npos)
       << text.out;
+  EXPECT_TRUE(text.out.ends_with("same: no tip or axis differs by more than 0.001 mm; 1 feed rate differs\n"))
+      << text.out;
   EXPECT_EQ(shop_.run({"compare", "--paths", "a.apt", "b.apt", "--json", "a.apt"}).exit_status, 2);
   EXPECT_EQ(shop_.read("a.apt"), feeds);
 }
