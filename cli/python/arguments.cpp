@@ -13,6 +13,14 @@ std::string shown(const py::handle& object) {
   return (text.size() > kMost ? text.substr(0, text.find_last_of(" ,", kMost)) + " ..." : text) + " (" + type + ")";
 }
 
+// Returns "; did you mean tolerance?"; empty if no name is similar.
+std::string similar_word(const std::string& name, const std::vector<std::string>& names) {
+  py::list list;
+  for (const std::string& one : names) list.append(one);
+  const py::list found = py::module_::import("difflib").attr("get_close_matches")(name, list, 1);
+  return found.empty() ? "" : "; did you mean " + std::string(py::str(found[0])) + "?";
+}
+
 }  // namespace
 
 void refuse_argument(const std::string& name, const std::string& wanted, const py::handle& got) {
@@ -145,7 +153,8 @@ void Keywords::finish() const {
   const std::string name = py::str(left_.begin()->first);
   std::string known;
   for (const std::string& one : known_) known += (known.empty() ? "" : ", ") + one;
-  throw py::type_error(function_ + "() has no keyword '" + name + "'; it has " + (known.empty() ? "none" : known));
+  throw py::type_error(function_ + "() has no keyword '" + name + "'; it has " + (known.empty() ? "none" : known) +
+                       similar_word(name, known_));
 }
 
 }  // namespace gougecheck::python

@@ -126,6 +126,8 @@ def test_arguments_of_another_kind_are_type_errors_that_name_them():
         "rapids: expected a str, got 3": lambda: gougecheck.check(path, mesh, tool, rapids=3),
         "check\\(\\) has no keyword 'tolerence'; it has path, part, tool, fixtures, tolerance, ":
             lambda: gougecheck.check(path, mesh, tool, tolerence=0.02),
+        "; did you mean tolerance\\?$": lambda: gougecheck.check(path, mesh, tool, tolerence=0.02),
+        "check\\(\\) has no keyword 'zzz'; it has [a-z_, ]*$": lambda: gougecheck.check(path, mesh, tool, zzz=1),
         "fixtures: expected a Mesh or a list of Mesh": lambda: gougecheck.check(path, mesh, tool, fixtures="f.stl"),
         "max_side_shift: expected a number": lambda: gougecheck.correct(path, mesh, tool, max_side_shift="1"),
         "strategy: expected a str": lambda: gougecheck.correct(path, mesh, tool, strategy=None),
