@@ -75,4 +75,16 @@ std::string Program::colour() const {
   return option == nullptr || option->results().empty() ? "auto" : option->results().back();
 }
 
+bool Program::parse_incomplete(const std::vector<std::string>& words) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    for (CLI::Option* option : command->get_options()) option->required(false);
+  }
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Error&) {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace gouge

@@ -49,6 +49,10 @@ struct Program {
   /// Returns the value of --color, even for a wrong command line; auto if it is not given.
   [[nodiscard]] std::string colour() const;
 
+  /// Parses a command line, without the program's name, of which required options may be missing. Returns whether that is
+  /// possible; false too if the line requests help.
+  [[nodiscard]] bool parse_incomplete(const std::vector<std::string>& words);
+
   Arguments arguments;
   CLI::App app;
 };

@@ -30,14 +30,8 @@ void add_no_config_option(CLI::App& command, bool& is_without) {
 
 std::optional<std::vector<std::string>> options_typed(const std::vector<std::string>& words) {
   Program program;
-  CLI::App* command = program.app.get_subcommand(words.front());
-  for (CLI::Option* option : command->get_options()) option->required(false);
-  std::vector<std::string> reversed(words.rbegin(), words.rend());
-  try {
-    program.app.parse(std::move(reversed));
-  } catch (const CLI::Error&) {
-    return std::nullopt;
-  }
+  if (!program.parse_incomplete(words)) return std::nullopt;
+  const CLI::App* command = program.app.get_subcommand(words.front());
   std::vector<std::string> typed;
   for (const CLI::Option* option : command->get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;

@@ -14,6 +14,7 @@
 #include "cli/commands/accept_command.h"
 #include "cli/commands/correct_command.h"
 #include "cli/config_command.h"
+#include "cli/failed_line.h"
 #include "cli/options/help_text.h"
 #include "cli/options/length_rule.h"
 #include "cli/options/parse_errors.h"
@@ -92,58 +93,83 @@ bool print_short_help(const CLI::App& app, const HelpColumns& columns, std::ostr
 
 // Returns the status after output. Printed text may end early (`| head -1`), but undelivered data is a failure, which
 // its command has reported.
-int after_printing(int status, std::ostream& out, std::ostream& err) {
+int after_printing(int status, const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
   out.flush();
   if (out || status == kExitInternal || is_reader_gone()) return status;
-  return fail(err, {describe_failed_output()}, kExitInternal);
+  const Diagnostic error = describe_failed_output();
+  print(err, {error});
+  write_failure_of(words, error, kExitInternal, out, err);
+  return kExitInternal;
+}
+
+// Gives the arguments of the command that is run what the whole command line states.
+void complete_arguments(const CLI::App& app, Arguments& arguments) {
+  if (app.got_subcommand("batch")) take_words(*app.get_subcommand("batch"), arguments.batch);
+  for (const auto& [name, job] : {std::pair("check", &arguments.check.job), {"correct", &arguments.correct.job}}) {
+    if (!app.got_subcommand(name)) continue;
+    job->command = repeatable_command(*app.get_subcommand(name));
+    job->lengths_in_mm = lengths_in_mm(*app.get_subcommand(name));
+  }
+  if (app.got_subcommand("clash")) arguments.clash.lengths_in_mm = lengths_in_mm(*app.get_subcommand("clash"));
+  if (app.got_subcommand("mesh")) arguments.mesh.lengths_in_mm = lengths_in_mm(*app.get_subcommand("mesh"));
+}
+
+// Runs the command line `words`, and replaces them by what they mean as soon as it is known.
+int run_words(std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
+  const HelpColumns columns(terminal_columns(out));
+  Program program(columns);
+  CLI::App& app = program.app;
+  choose_colour(err, "auto");
+  ShortLine typed = expand_short_line(words, command_names(app));
+  words = std::move(typed.words);
+  // A wrong option is reported first, and help is printed all the same.
+  if (typed.error && options_typed({words.begin() + 1, words.end()})) return fail_line(words, *typed.error, out, err);
+  const Result<ProjectLine> line = ProjectLine::make(words);
+  if (!line) return fail_line(words, line.error(), out, err);
+  try {
+    std::vector<std::string> reversed(line->words().rbegin(), line->words().rend());
+    if (!reversed.empty()) reversed.pop_back();  // drops the program's name
+    app.parse(std::move(reversed));
+  } catch (const CLI::ParseError& error) {
+    choose_colour(err, program.colour());
+    if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr && print_short_help(app, columns, out))
+      return after_printing(kExitClean, words, out, err);
+    // CLI11 reports --help and --version as errors of status 0.
+    if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), words, out, err);
+    const std::vector<const char*> pointers = pointers_to(words);
+    if (const std::optional<Diagnostic> empty = find_misread_value(app, pointers)) return fail(err, {*empty});
+    return fail_line(words, line->located(describe_parse_error(app, error, pointers)), out, err);
+  }
+  if (const std::optional<Diagnostic> empty = find_misread_value(app, pointers_to(words))) return fail(err, {*empty});
+  choose_colour(out, program.colour());
+  choose_colour(err, program.colour());
+  if (line->use()) {
+    if (const std::optional<Diagnostic> wrong = take_project(*line, app, program.arguments))
+      return fail_line(line->words(), *wrong, out, err);
+  }
+  complete_arguments(app, program.arguments);
+  return after_printing(dispatch(app, program.arguments, out, err), words, out, err);
 }
 
 }  // namespace
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  std::vector<std::string> words;
+  std::optional<Diagnostic> error;
   try {
-    const HelpColumns columns(terminal_columns(out));
-    Program program(columns);
-    CLI::App& app = program.app;
-    Arguments& arguments = program.arguments;
-    choose_colour(err, "auto");
-    const Result<std::vector<std::string>> typed = expand_short_line({argv, argv + argc}, command_names(app));
-    if (!typed) return fail(err, {typed.error()});
-    const std::vector<const char*> words = pointers_to(*typed);
-    const Result<ProjectLine> line = ProjectLine::make(*typed);
-    if (!line) return fail(err, {line.error()});
-    try {
-      std::vector<std::string> reversed(line->words().rbegin(), line->words().rend());
-      if (!reversed.empty()) reversed.pop_back();  // drops the program's name
-      app.parse(std::move(reversed));
-    } catch (const CLI::ParseError& error) {
-      choose_colour(err, program.colour());
-      if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr && print_short_help(app, columns, out))
-        return after_printing(kExitClean, out, err);
-      // CLI11 reports --help and --version as errors of status 0.
-      if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
-      const std::optional<Diagnostic> empty = find_misread_value(app, words);
-      return fail(err, {empty ? *empty : line->located(describe_parse_error(app, error, words))});
-    }
-    if (const std::optional<Diagnostic> empty = find_misread_value(app, words)) return fail(err, {*empty});
-    choose_colour(out, program.colour());
-    choose_colour(err, program.colour());
-    if (line->use()) {
-      if (const std::optional<Diagnostic> wrong = take_project(*line, app, arguments)) return fail(err, {*wrong});
-    }
-    if (app.got_subcommand("batch")) take_words(*app.get_subcommand("batch"), arguments.batch);
-    for (const auto& [name, job] : {std::pair("check", &arguments.check.job), {"correct", &arguments.correct.job}}) {
-      if (!app.got_subcommand(name)) continue;
-      job->command = repeatable_command(*app.get_subcommand(name));
-      job->lengths_in_mm = lengths_in_mm(*app.get_subcommand(name));
-    }
-    if (app.got_subcommand("clash")) arguments.clash.lengths_in_mm = lengths_in_mm(*app.get_subcommand("clash"));
-    if (app.got_subcommand("mesh")) arguments.mesh.lengths_in_mm = lengths_in_mm(*app.get_subcommand("mesh"));
-    return after_printing(dispatch(app, arguments, out, err), out, err);
+    words.assign(argv, argv + argc);
+    return run_words(words, out, err);
   } catch (const std::bad_alloc&) {
     err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";
-  } catch (const std::exception& error) {
-    err << "gougecheck: error: internal failure: " << printable(error.what()) << " [internal]\n";
+    error = make_error("out-of-memory", "out of memory");
+  } catch (const std::exception& failure) {
+    err << "gougecheck: error: internal failure: " << printable(failure.what()) << " [internal]\n";
+    error = make_error("internal", std::string("internal failure: ") + failure.what());
+  }
+  try {
+    write_failure_of(words, *error, kExitInternal, out, err);
+  } catch (const std::exception&) {
+    // The error is already printed.
   }
   return kExitInternal;
 }

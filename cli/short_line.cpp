@@ -12,6 +12,7 @@
 #include "lib/base/input_file.h"
 #include "lib/mesh/read_stl.h"
 #include "postproc/cldata/reading/foreign_file.h"
+#include "postproc/formats/read_toolpath.h"
 #include "postproc/formats/toolpath_format.h"
 #include "postproc/report/report_model.h"
 #include "toolmodels/import/read_any_tools.h"
@@ -30,8 +31,7 @@ bool is_file_name(const std::string& word) {
   return !word.starts_with('-') && (word.find_first_of("./") != std::string::npos || fs::exists(word, ignored));
 }
 
-/// Unknown: perhaps the toolpath of a dialect without marks.
-enum class Role { path, part, tools, unknown };
+enum class Role { path, part, tools };
 
 Result<std::string> read_beginning(const std::string& file) {
   constexpr std::size_t kBeginning = 65536;
@@ -57,14 +57,14 @@ bool is_tool_library(const std::string& file) {
   return code != "library-foreign" && code != "input-too-large" && code != "import-zip";
 }
 
-/// A file of a kind that no reader accepts, such as a STEP file.
-struct ForeignFile {
+/// A file whose content states no role: a STEP file, an empty file, the toolpath of a dialect without marks.
+struct DoubtfulFile {
   std::string name;
-  FileKind kind;
-  std::string description;  ///< as the reader of toolpaths gives it
+  std::optional<FileFamily> family;      ///< none: the kind is not known
+  std::optional<Diagnostic> path_error;  ///< error of the reader of toolpaths; none: it may be a toolpath
 };
 
-using FileRole = std::variant<Role, ForeignFile>;
+using FileRole = std::variant<Role, DoubtfulFile>;
 
 Result<FileRole> role_of(const std::string& file) {
   if (file == kStandardInput) return FileRole(Role::path);
@@ -78,73 +78,87 @@ Result<FileRole> role_of(const std::string& file) {
                       "'" + file + "' is a pipe or a device; expected gougecheck check with the option that it is for");
   const Result<std::string> beginning = read_beginning(file);
   if (!beginning) return beginning.error();
-  if (beginning->empty())
-    return make_error("usage", "'" + file + "' is empty; expected a toolpath, an STL or a tool library");
   if (looks_like_stl(*beginning, fs::file_size(file, ignored)) || has_ending(file, ".stl")) return FileRole(Role::part);
+  if (beginning->empty()) {
+    const ReadOutcome read = read_toolpath(file, SourceText(std::string()));
+    const bool is_table = has_ending(file, ".json");
+    return FileRole(DoubtfulFile{file, is_table ? std::optional(FileFamily::text) : std::nullopt, read.errors.front()});
+  }
   if (is_tool_library(file)) return FileRole(Role::tools);
   if (!recognise_dialect(*beginning).is_fallback || looks_like_cl_data(*beginning)) return FileRole(Role::path);
   const std::optional<std::string> format = describe_foreign(file, *beginning);
   if (const auto kind = recognise_file(file, *beginning))
-    return FileRole(ForeignFile{file, *kind, format.value_or("is no toolpath")});
+    return FileRole(
+        DoubtfulFile{file, kind->family, make_error("path-not-cl-data", format.value_or("is no toolpath"), file)});
   if (format) return make_error("path-not-cl-data", *format, file);
-  return FileRole(Role::unknown);
+  return FileRole(DoubtfulFile{file, std::nullopt, std::nullopt});
 }
 
 struct Files {
-  std::vector<std::string> paths, parts, libraries, unknown;
-  std::vector<ForeignFile> foreign;
+  std::vector<std::string> paths, parts, libraries;
+  std::vector<DoubtfulFile> doubtful;
 
   [[nodiscard]] std::vector<std::string>& of(Role role) {
-    switch (role) {
-      case Role::path:
-        return paths;
-      case Role::part:
-        return parts;
-      case Role::tools:
-        return libraries;
-      case Role::unknown:
-        break;
-    }
-    return unknown;
+    return role == Role::path ? paths : role == Role::part ? parts : libraries;
   }
 };
 
-/// Takes foreign files beside a toolpath as the part or the tools that are missing. Their readers then name the kind of
-/// the file, with advice.
-void assign_foreign(Files& files) {
-  if (files.paths.empty()) return;
-  for (const ForeignFile& file : std::exchange(files.foreign, {})) {
-    const FileFamily family = file.kind.family;
-    const bool is_solid = family == FileFamily::solid || family == FileFamily::mesh;
-    const bool is_document = family == FileFamily::text || family == FileFamily::document;
-    const bool can_be_tools = files.libraries.empty() && !is_solid;
-    const bool can_be_part = files.parts.empty();
-    const Role role = can_be_tools && (is_document || !can_be_part) ? Role::tools
-                      : can_be_part                                 ? Role::part
-                                                                    : Role::unknown;
-    files.of(role).push_back(file.name);
-  }
+bool is_geometry(const DoubtfulFile& file) {
+  return file.family == FileFamily::solid || file.family == FileFamily::mesh;
+}
+
+bool is_document(const DoubtfulFile& file) {
+  return file.family == FileFamily::text || file.family == FileFamily::document;
+}
+
+using Place = std::vector<DoubtfulFile>::iterator;
+
+/// Takes a doubtful file as the one that is missing in a role, so that its reader names the fault of the file.
+void assign(Files& files, Place chosen, Role role) {
+  files.of(role).push_back(chosen->name);
+  files.doubtful.erase(chosen);
+}
+
+void assign_path(Files& files) {
+  if (!files.paths.empty() || files.doubtful.empty()) return;
+  const Place chosen = std::ranges::find_if_not(files.doubtful, is_geometry);
+  assign(files, chosen == files.doubtful.end() ? files.doubtful.begin() : chosen, Role::path);
+}
+
+void assign_part(Files& files) {
+  if (!files.parts.empty() || files.doubtful.empty()) return;
+  Place chosen = std::ranges::find_if(files.doubtful, is_geometry);
+  if (chosen == files.doubtful.end()) chosen = std::ranges::find_if_not(files.doubtful, is_document);
+  assign(files, chosen == files.doubtful.end() ? files.doubtful.begin() : chosen, Role::part);
+}
+
+void assign_tools(Files& files) {
+  if (!files.libraries.empty()) return;
+  const Place chosen = std::ranges::find_if_not(files.doubtful, is_geometry);
+  if (chosen != files.doubtful.end()) assign(files, chosen, Role::tools);
 }
 
 Diagnostic wrong_files(const std::string& message) {
   return make_error("usage", message + "; expected " + kProgramName + " PATH PART.stl [TOOLS] [OPTIONS]");
 }
 
-/// Returns the error about files of which none is a toolpath. A foreign file may stand in the place of one.
-Diagnostic describe_missing_path(const Files& files) {
-  const std::string none = "none of the files is a toolpath";
-  if (files.foreign.empty()) return wrong_files(none);
-  const auto& [name, kind, description] = files.foreign.front();
-  const bool is_alone = files.parts.empty() && files.libraries.empty() && files.foreign.size() == 1;
-  return is_alone ? make_error("path-not-cl-data", description, name)
-                  : wrong_files(none + ": " + name + " " + description);
+/// Returns the error about a file that is certainly no toolpath, if no other file can be one. Without a part, the
+/// command line would be refused before a reader could state this.
+std::optional<Diagnostic> find_foreign_path(const Files& files) {
+  if (!files.paths.empty() || !files.parts.empty() || files.doubtful.empty()) return std::nullopt;
+  if (!std::ranges::all_of(files.doubtful, [](const DoubtfulFile& file) { return file.path_error.has_value(); }))
+    return std::nullopt;
+  return files.doubtful.front().path_error;
 }
 
+/// Returns the error about files that have no role, once the doubtful ones were assigned.
 std::optional<Diagnostic> find_wrong(const Files& files) {
-  if (!files.unknown.empty())
-    return wrong_files(listed(files.unknown, " and ") + (files.unknown.size() == 1 ? " is" : " are") +
-                       " neither a toolpath nor an STL file nor a tool library that is recognised");
-  if (files.paths.empty()) return describe_missing_path(files);
+  if (files.paths.empty()) return wrong_files("none of the files is a toolpath");
+  if (!files.doubtful.empty())
+    return make_error("file-unrecognised",
+                      "is neither a toolpath nor an STL file nor a tool library that is recognised; expected " +
+                          std::string(kProgramName) + " PATH PART.stl [TOOLS] [OPTIONS]",
+                      files.doubtful.front().name);
   if (files.paths.size() > 1)
     return make_error("usage",
                       listed(files.paths, " and ") + " are toolpaths; expected one, or gougecheck batch with all");
@@ -159,36 +173,51 @@ std::string report_beside(const std::string& path) {
   return (fs::path(path).parent_path() / split_toolpath_name(path).stem).string() + "_report";
 }
 
+using Words = std::vector<std::string>;
+
+bool is_given(const std::string& name, Words::const_iterator option, const Words& words) {
+  return std::any_of(option, words.end(),
+                     [&](const std::string& word) { return word == name || word.starts_with(name + "="); });
+}
+
+/// Returns the words of the command `check` for these files. `option` is the first word that names none.
+Words words_for(const Files& files, Words::const_iterator option, const Words& words) {
+  Words made = {words.front(), "check"};
+  if (!files.paths.empty()) made.push_back(files.paths.front());
+  for (const std::string& part : files.parts) made.insert(made.end(), {"--part", part});
+  for (const DoubtfulFile& file : files.doubtful) made.insert(made.end(), {"--part", file.name});
+  for (const std::string& library : files.libraries) made.insert(made.end(), {"--tools", library});
+  if (!is_given("--report", option, words) && !files.paths.empty() && files.paths.front() != kStandardInput)
+    made.insert(made.end(), {"--report", report_beside(files.paths.front())});
+  made.insert(made.end(), option, words.end());
+  return made;
+}
+
 }  // namespace
 
-Result<std::vector<std::string>> expand_short_line(const std::vector<std::string>& words,
-                                                   const std::vector<std::string>& commands) {
+ShortLine expand_short_line(const Words& words, const Words& commands) {
   const bool has_command = words.size() < 2 || std::ranges::find(commands, words[1]) != commands.end();
-  if (has_command || !is_file_name(words[1])) return words;
+  if (has_command || !is_file_name(words[1])) return {words, std::nullopt};
   const auto option = std::find_if(words.begin() + 1, words.end(),
                                    [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
   Files files;
+  std::optional<Diagnostic> error;
   for (auto word = words.begin() + 1; word != option; ++word) {
-    const auto role = role_of(*word);
-    if (!role) return role.error();
-    if (const auto* foreign = std::get_if<ForeignFile>(&*role))
-      files.foreign.push_back(*foreign);
+    const Result<FileRole> role = role_of(*word);
+    if (!role && !error) error = role.error();
+    if (!role)
+      files.doubtful.push_back({*word, std::nullopt, std::nullopt});
+    else if (const auto* doubtful = std::get_if<DoubtfulFile>(&*role))
+      files.doubtful.push_back(*doubtful);
     else
       files.of(std::get<Role>(*role)).push_back(*word);
   }
-  // The only candidate is read as a toolpath, with the messages of its reader.
-  if (files.paths.empty() && files.unknown.size() == 1) files.paths = std::exchange(files.unknown, {});
-  assign_foreign(files);
-  if (const auto wrong = find_wrong(files)) return *wrong;
-  const std::string& path = files.paths.front();
-  std::vector<std::string> made = {words.front(), "check", path};
-  for (const std::string& part : files.parts) made.insert(made.end(), {"--part", part});
-  for (const std::string& library : files.libraries) made.insert(made.end(), {"--tools", library});
-  const bool has_report = std::any_of(
-      option, words.end(), [](const std::string& word) { return word == "--report" || word.starts_with("--report="); });
-  if (!has_report && path != kStandardInput) made.insert(made.end(), {"--report", report_beside(path)});
-  made.insert(made.end(), option, words.end());
-  return made;
+  if (!error) error = find_foreign_path(files);
+  assign_path(files);
+  if (!is_given("--part", option, words)) assign_part(files);
+  assign_tools(files);
+  if (!error) error = find_wrong(files);
+  return {words_for(files, option, words), error};
 }
 
 }  // namespace gouge

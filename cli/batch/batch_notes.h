@@ -7,7 +7,7 @@
 #include "cli/batch/batch_job.h"
 #include "postproc/store/result_store.h"
 
-// Notes that a batch prints before its jobs run.
+// Notes that a batch prints before its jobs run, and messages of its jobs.
 
 namespace gouge {
 
@@ -19,5 +19,11 @@ void note_replaced(ResultStore& store, const BatchIdentity& identity, const std:
 
 /// Prints that an earlier run ended while it ran the jobs `names`.
 void note_running(const std::vector<std::string>& names, const std::string& folder, std::ostream& err);
+
+/// Prints messages of a job, each in a line that begins "job NAME: ".
+void print_for_job(std::ostream& err, const std::string& job, const std::string& messages);
+
+/// Prints the jobs with their options, and on `err` those of their inputs that do not exist. Returns whether there are any.
+bool list_jobs_and_missing(const std::vector<const BatchJob*>& jobs, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

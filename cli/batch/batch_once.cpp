@@ -141,14 +141,11 @@ class Batch {
   }
 
   int list() const {
+    std::vector<const BatchJob*> own;
     for (std::size_t number = 0; number < jobs_.size(); ++number) {
-      if (!shard_.has(number)) continue;
-      const BatchJob& job = jobs_[number];
-      out_ << printable(job.name) << ": " << job.command();
-      for (const std::string& word : job.words) out_ << ' ' << printable(word);
-      out_ << '\n';
+      if (shard_.has(number)) own.push_back(&jobs_[number]);
     }
-    return kExitClean;
+    return list_jobs_and_missing(own, out_, err_) ? kExitInput : kExitClean;
   }
 
   std::optional<int> open() {

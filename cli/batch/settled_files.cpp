@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <map>
 #include <ostream>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "cli/batch/batch_job.h"
+#include "cli/batch/batch_notes.h"
 #include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
@@ -161,8 +161,7 @@ void print_failures(std::ostream& err, const std::vector<JobResult>& results) {
       continue;
     if (job.messages.empty())
       err << "gougecheck: error: job " << printable(job.name) << " ended with status " << *job.status << "\n";
-    std::istringstream lines(job.messages);
-    for (std::string line; std::getline(lines, line);) err << "job " << printable(job.name) << ": " << line << "\n";
+    print_for_job(err, job.name, job.messages);
   }
 }
 

@@ -73,7 +73,7 @@ std::optional<Diagnostic> find_wrong_word_beside_withdraw(const AcceptArguments&
     return std::nullopt;
   return make_error("usage",
                     "--withdraw removes entries from one file of accepted findings; expected that file and no "
-                    "--finding, --all, --reason, --by, --date or -o");
+                    "--finding, --all, --reason, --reviewer, --date or -o");
 }
 
 /// Finds an option other than the result that is missing or wrong.
@@ -92,9 +92,9 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
   if (const auto twice = std::ranges::adjacent_find(findings); twice != findings.end())
     return make_error("usage", "--finding names finding " + twice->text() + " twice; expected each once");
   if (!is_utf8(a.reason)) return usage_error("--reason", a.reason, "text in UTF-8");
-  if (!is_utf8(a.by) || !is_one_line(a.by)) return usage_error("--by", a.by, "one line of text in UTF-8");
+  if (!is_utf8(a.by) || !is_one_line(a.by)) return usage_error("--reviewer", a.by, "one line of text in UTF-8");
   if (is_blank(a.reason)) return make_error("usage", "accept needs --reason, for those who read of it later");
-  if (is_blank(a.by)) return make_error("usage", "accept needs --by, who accepts it");
+  if (is_blank(a.by)) return make_error("usage", "accept needs --reviewer, who accepts it");
   if (a.output.empty())
     return make_error("usage", "accept needs -o FILE, where accepted findings are kept; what is there already stays");
   if (a.output == "-")
@@ -160,7 +160,7 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
   command.add_flag("--all", arguments.is_all,
                    "Accept every finding of each RESULT. Findings that cannot be accepted are named and stay gouges");
   command.add_option("--reason", arguments.reason, "Reason why the finding is accepted")->type_name("TEXT");
-  command.add_option("--by", arguments.by, "Name of the person who accepts the finding")->type_name("NAME");
+  command.add_option("--reviewer,--by", arguments.by, "Name of the person who accepts the finding")->type_name("NAME");
   command.add_option("--date", arguments.date, "Date of the acceptance, such as 2026-11-23 (default: today, UTC)")
       ->type_name("DAY");
   command.add_option("-o,--output", arguments.output, "File of accepted findings; existing entries stay")
@@ -175,11 +175,11 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       "Examples:\n"
       "  gougecheck accept report/result.json\n"
       "  gougecheck accept report/result.json --finding 3 --reason \"stock allowance\" \\\n"
-      "      --by \"R. Miller\" -o accepted.json\n"
+      "      --reviewer \"R. Miller\" -o accepted.json\n"
       "  gougecheck accept night --finding op10:3 --finding op20:1-4 \\\n"
-      "      --reason \"stock allowance\" --by \"R. Miller\" -o accepted.json\n"
+      "      --reason \"stock allowance\" --reviewer \"R. Miller\" -o accepted.json\n"
       "  gougecheck accept night --all --reason \"prototype\" \\\n"
-      "      --by \"R. Miller\" -o accepted.json\n"
+      "      --reviewer \"R. Miller\" -o accepted.json\n"
       "  gougecheck check part.apt --part part.stl --baseline accepted.json\n"
       "  gougecheck accept accepted.json\n"
       "  gougecheck accept accepted.json --withdraw 2\n\n"

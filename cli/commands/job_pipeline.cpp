@@ -22,7 +22,7 @@ JobPipeline::JobPipeline(const JobArguments& arguments, const JobOptions& option
       printer_(context.err, arguments) {}
 
 std::optional<int> JobPipeline::load() {
-  if (const auto status = outputs_.refuse(context_.err)) return status;
+  if (const auto status = outputs_.refuse(context_.out, context_.err)) return status;
   Result<LoadedBaseline> accepted = load_baseline(arguments_.baseline_file, arguments_.input);
   if (!accepted) return fail_with({accepted.error()});
   baseline_ = std::move(*accepted);

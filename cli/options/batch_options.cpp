@@ -36,7 +36,8 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
       ->capture_default_str();
   command.add_flag("--resume", a.is_resumed, "Continue an interrupted batch. Finished jobs are kept");
   command.add_flag("--fresh", a.is_fresh, "Run every job again, even if its inputs and options have not changed");
-  command.add_flag("--dry-run", a.is_rehearsal, "List the jobs and their options, and write nothing");
+  command.add_flag("--dry-run", a.is_rehearsal,
+                   "List the jobs, their options and their missing files, and write nothing");
   command.add_flag("--no-reports", a.is_without_reports,
                    "Write only the summary of all jobs, without the reports of the jobs");
   command.add_flag(

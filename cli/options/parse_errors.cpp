@@ -165,10 +165,20 @@ class Command {
     for (const CLI::Option* option : app_->get_options()) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
-    const std::string nearest = nearest_name(word, names);
+    std::string nearest = other_name(word, names);
+    if (nearest.empty()) nearest = nearest_name(word, names);
     const bool is_file = !word.starts_with("--") && word.find('.') != std::string::npos;
     if (is_file) return name_ + " has no option '" + word + "'; a file of this name is written ./" + word;
     return name_ + " has no option '" + word + "'" + (nearest.empty() ? see_help() : meant(nearest));
+  }
+
+  /// Returns the name under which this command has an option of another command; empty if there is none.
+  [[nodiscard]] static std::string other_name(const std::string& word, const std::vector<std::string>& names) {
+    constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {{"--by", "--reviewer"}};
+    for (const auto& [other, name] : kOtherNames) {
+      if (word == other && std::ranges::find(names, name) != names.end()) return std::string(name);
+    }
+    return {};
   }
 
   [[nodiscard]] std::string no_command(const std::vector<std::string>& strange) const {

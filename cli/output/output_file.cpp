@@ -127,15 +127,19 @@ std::optional<Diagnostic> find_kept_file(const OutputTable& outputs, bool is_of_
 
 }  // namespace
 
-std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs, std::ostream& err,
-                                  bool is_of_batch) {
+RefusedOutputs find_refused(const std::vector<InputOption>& inputs, const OutputTable& outputs, bool is_of_batch) {
   std::optional<Diagnostic> wrong = find_overwriting(inputs, outputs);
   if (!wrong) wrong = find_kept_file(outputs, is_of_batch);
   if (const Result<bool> taken = is_stdout_taken(outputs); !taken) wrong = taken.error();
-  if (wrong) return fail(err, {*wrong});
-  const Diagnostics unwritable = find_unwritable(outputs);
-  if (!unwritable.empty()) return fail(err, unwritable, kExitInternal);
-  return std::nullopt;
+  if (wrong) return {{*wrong}, status_of({*wrong})};
+  return {find_unwritable(outputs), kExitInternal};
+}
+
+std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs, std::ostream& err,
+                                  bool is_of_batch) {
+  const RefusedOutputs refused = find_refused(inputs, outputs, is_of_batch);
+  if (refused.errors.empty()) return std::nullopt;
+  return fail(err, refused.errors, refused.status);
 }
 
 Result<bool> is_svg_file(const std::string& file) {

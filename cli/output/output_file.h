@@ -50,9 +50,19 @@ struct ToolpathName {
 /// nothing. Code: file-unwritable.
 [[nodiscard]] Diagnostics find_unwritable(const OutputTable& outputs);
 
+/// Errors of outputs, and the exit status for them.
+struct RefusedOutputs {
+  Diagnostics errors;
+  int status = 0;
+};
+
 /// Finds errors in a command's outputs before its work. Two outputs are for standard output, one is an input or another
 /// output, one is a file of a report or of a batch, or one cannot be written. A job of a batch (`is_of_batch`) writes its
-/// corrected toolpath into that batch. Prints the error and returns the exit status; returns none if there is no error.
+/// corrected toolpath into that batch.
+[[nodiscard]] RefusedOutputs find_refused(const std::vector<InputOption>& inputs, const OutputTable& outputs,
+                                          bool is_of_batch = false);
+
+/// Prints these errors and returns the exit status; returns none if there is no error.
 [[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
                                                 std::ostream& err, bool is_of_batch = false);
 

@@ -59,9 +59,15 @@ JobOutputs::JobOutputs(const JobArguments& arguments, const std::string& correct
   report_->set_toolpath(arguments.path);
 }
 
-std::optional<int> JobOutputs::refuse(std::ostream& err) {
-  if (const auto status = refuse_outputs(inputs_of(arguments_), outputs_, err, !arguments_.batch_job.empty()))
+std::optional<int> JobOutputs::refuse(std::ostream& out, std::ostream& err) {
+  const auto fail_all = [&](const Diagnostics& errors, int status) {
+    print(err, errors);
+    // An output that cannot be written has been reported.
+    if (status != kExitUsage) (void)write_failure({arguments_.path, status, errors}, out);
     return status;
+  };
+  const RefusedOutputs refused = find_refused(inputs_of(arguments_), outputs_, !arguments_.batch_job.empty());
+  if (!refused.errors.empty()) return fail_all(refused.errors, refused.status);
   if (!report_) return std::nullopt;
   const std::string batch = arguments_.batch_job.empty() ? batch_of_report(report_folder_of(outputs_)) : std::string();
   if (!batch.empty() && !arguments_.is_forced)
@@ -72,12 +78,12 @@ std::optional<int> JobOutputs::refuse(std::ostream& err) {
                     report_folder_of(outputs_))},
         kExitUsage);
   const Outcome opened = report_->open();
-  if (!opened) return fail(err, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
+  if (!opened) return fail_all({opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
   if (const std::string& other = report_->replaced_toolpath(); !other.empty() && !arguments_.is_quiet)
     print(err, {make_note("report-replaced", "holds the report of " + other + ", which this one replaces",
                           report_folder_of(outputs_))});
   const Outcome loaded = load_pictures();
-  if (!loaded) return fail(err, {loaded.error()}, kExitInternal);
+  if (!loaded) return fail_all({loaded.error()}, kExitInternal);
   return std::nullopt;
 }
 
@@ -94,17 +100,20 @@ bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportM
   if (!written) {
     out.flush();  // where both streams go to one place, the error must stand below the findings
     print(err, {written.error()});
+    // Replaces files that were put in place before the error, or that hold the result of an earlier run.
+    (void)write_failure({arguments_.path, kExitInternal, {written.error()}}, out);
   }
   return written.has_value();
 }
 
 Outcome JobOutputs::write_failure(const FailedRun& run, std::ostream& out) const {
-  PendingOutputs pending;
+  if (find_overwriting(inputs_of(arguments_), outputs_) || !is_stdout_taken(outputs_)) return Done{};
+  Outcome all = Done{};
   for (const Output& output : outputs_) {
     if (output.write_failure == nullptr) continue;
-    if (Outcome added = pending.add(output.file, output.write_failure(run)); !added) return added;
+    if (const Outcome one = write_output(output.file, output.write_failure(run), out); !one && all) all = one;
   }
-  return pending.commit(out);
+  return all;
 }
 
 Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, const ReportModel& model,

@@ -53,15 +53,16 @@ class JobOutputs {
   JobOutputs(const JobArguments& arguments, const std::string& corrected);
 
   /// Prints errors of the outputs before the work, and returns the exit status; returns none if there is no error. The
-  /// folder of the report, if it exists, is then locked.
-  [[nodiscard]] std::optional<int> refuse(std::ostream& err);
+  /// folder of the report, if it exists, is then locked. Outputs that can state the error are written.
+  [[nodiscard]] std::optional<int> refuse(std::ostream& out, std::ostream& err);
 
   /// Writes every file requested, then prints the findings. The `scene` is that of the job. A file that cannot be
   /// written is reported on `err`, last. Returns whether all was written, and delivered in the case of standard output.
   [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
                            std::ostream& out, std::ostream& err);
 
-  /// Writes the files whose formats can state that a run ended without a result.
+  /// Writes the files whose formats can state that a run ended without a result, each for itself. Writes nothing if an
+  /// output would replace an input or another output. Returns the first error.
   [[nodiscard]] Outcome write_failure(const FailedRun& run, std::ostream& out) const;
 
  private:

@@ -40,7 +40,7 @@ std::string usual_reason(const Move& move, const MoveVerdict& verdict, double ma
 }
 
 std::string PathCorrector::out_of_budget() const {
-  return "not corrected: the budget of " + std::to_string(step_budget_) +
+  return "the budget of " + std::to_string(step_budget_) +
          " bounds for this step was spent; a larger tolerance or resolution needs fewer";
 }
 

@@ -191,17 +191,21 @@ std::string stock_text(const CorrectionFacts& correction, LengthUnit unit) {
 }
 
 std::string kept_text(double keeps_mm, LengthUnit unit) {
-  return keeps_mm < 0 ? depth_text(-keeps_mm, unit) + " inside" : depth_text(keeps_mm, unit);
+  return keeps_mm < 0 ? "may touch by up to " + depth_text(-keeps_mm, unit) : depth_text(keeps_mm, unit);
 }
 
 std::string low_rapids_text(const CorrectionFacts& correction, LengthUnit unit) {
   if (correction.low_rapids.empty()) return {};
   const LowRapid& least = *std::ranges::min_element(correction.low_rapids, {}, &LowRapid::keeps_mm);
-  const bool is_one = correction.low_rapids.size() == 1;
+  const bool is_one = correction.low_rapids.size() == 1, may_touch = least.keeps_mm < 0;
   return count_text(correction.low_rapids.size(), "rapid") +
          (is_one ? " that was written keeps" : " that were written keep") + " less than the clearance of " +
-         length_text(correction.rapid_clearance_mm, unit) + ": " + (is_one ? "" : "the least ") +
-         kept_text(least.keeps_mm, unit) + ", line " + std::to_string(least.line);
+         length_text(correction.rapid_clearance_mm, unit) + ": " +
+         (is_one      ? (may_touch ? "it " : "")
+          : may_touch ? "the nearest "
+                      : "the least ") +
+         kept_text(least.keeps_mm, unit) + (may_touch ? ", a gouge only beyond the tolerance" : "") + ", line " +
+         std::to_string(least.line);
 }
 
 std::string straightened_text(const CorrectionFacts& correction) {

@@ -59,7 +59,8 @@ struct UncutTotal {
 /// Returns "2 rapids that were written keep less than the clearance of 2 mm: the least 0.005 mm, line 12"; empty if
 /// there is none.
 [[nodiscard]] std::string low_rapids_text(const CorrectionFacts& correction, LengthUnit unit);
-/// Returns the distance that a rapid keeps: "0.005 mm" or "0.005 mm inside".
+/// Returns the distance that a rapid keeps: "0.005 mm". If it is negative, no distance is certified: the text is "may touch
+/// by up to 0.005 mm".
 [[nodiscard]] std::string kept_text(double keeps_mm, LengthUnit unit);
 /// Returns the thickness of the stock in one stretch: "20 mm or more".
 [[nodiscard]] std::string thickness_text(const LeftStock& left, LengthUnit unit);

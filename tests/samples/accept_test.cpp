@@ -282,7 +282,7 @@ TEST_F(Accept, OptionsAreAskedForByName) {
   EXPECT_NE(
       error_of({"accept", "a.json", "--finding", "1", "--reason", " ", "--by", "b", "-o", "f"}).find("needs --reason"),
       std::string::npos);
-  EXPECT_NE(error_of({"accept", "a.json", "--finding", "1", "--reason", "r", "-o", "f"}).find("needs --by"),
+  EXPECT_NE(error_of({"accept", "a.json", "--finding", "1", "--reason", "r", "-o", "f"}).find("needs --reviewer"),
             std::string::npos);
   EXPECT_NE(error_of({"accept", "a.json", "--finding", "1", "--reason", "r", "--by", "b"}).find("needs -o"),
             std::string::npos);
@@ -448,7 +448,7 @@ TEST_F(Accept, TextThatIsNotUtf8IsRefused) {
   const Outcome ran =
       shop_.run({"accept", "a.json", "--all", "--reason", "r", "--by", "M\xfcller", "-o", "accepted.json"});
   EXPECT_EQ(ran.exit_status, 2);
-  EXPECT_NE(ran.err.find("--by 'M\\xfcller': expected one line of text in UTF-8"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("--reviewer 'M\\xfcller': expected one line of text in UTF-8"), std::string::npos) << ran.err;
 }
 
 TEST_F(Accept, StandardOutputIsNoFileToAddTo) {

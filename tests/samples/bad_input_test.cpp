@@ -117,7 +117,8 @@ TEST(OtherBadInput, OutputsThatCannotBeWrittenAreAllFoundBeforeTheWork) {
       ": error: cannot write the file: the folder nix does not exist; make it first; nothing was written "
       "[file-unwritable]\n";
   const Outcome check = run_gougecheck(
-      sample.path, sample.arguments("check", "none.apt", {"--csv", "nix/a", "--json", "nix/b", "--sarif", "new"}));
+      sample.path,
+      sample.arguments("check", "none.apt", {"--csv", "nix/a", "--json", "nix/b", "--certificate", "new"}));
   EXPECT_EQ(check.exit_status, 5);
   EXPECT_EQ(check.err, "nix/b" + said + "nix/a" + said) << "the toolpath was not even looked for";
   const Outcome correct = run_gougecheck(sample.path, sample.arguments("correct", "none.apt", {"-o", "nix/a"}));

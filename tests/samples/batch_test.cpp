@@ -168,6 +168,15 @@ TEST(Batch, ChecksToolpathsNamedOnTheCommandLine) {
   const Outcome listed =
       run_batch(folder, {"needles/needles.apt", "--part", "needles/part.stl", "-o", "none", "--dry-run"});
   EXPECT_EQ(listed.out, "needles: check --part=needles/part.stl needles/needles.apt\n");
+  EXPECT_EQ(listed.exit_status, 0) << listed.err;
+  const Outcome missing = run_batch(folder, {"needles/needles.apt", "gone.apt", "--part", "needles/part.stl", "--tools",
+                                             "no.json", "-o", "none", "--dry-run"});
+  EXPECT_EQ(missing.exit_status, 3);
+  EXPECT_NE(missing.out.find("needles: check"), std::string::npos) << missing.out;
+  EXPECT_EQ(missing.err,
+            "job needles: no.json: error: no such file; it is the tool library [file-not-found]\n"
+            "job gone: gone.apt: error: no such file; it is the toolpath [file-not-found]\n"
+            "job gone: no.json: error: no such file; it is the tool library [file-not-found]\n");
   EXPECT_FALSE(fs::exists(folder + "/none"));
 }
 

@@ -33,6 +33,10 @@ def open_report(browser, report, has_desk=True):
 def check_review(browser, report, found):
     open_report(browser, report)
     found.check(browser.evaluate("!!document.querySelector('#desk-side .review-form:not([hidden])')"), "the form is beside the view")
+    # The width that a vertical scroll bar leaves of the panel.
+    browser.evaluate("document.getElementById('desk-side').style.flexBasis = '284px'")
+    found.check(browser.evaluate("(s => s.scrollWidth <= s.clientWidth)(document.getElementById('desk-side'))"),
+                "the form fits its panel beside a scroll bar")
     found.check(browser.evaluate("document.querySelector('.banner ul').textContent").startswith("Finding 1, line 143: gouge: 2.000 mm"),
                 "the banner names what is open")
     found.check(browser.evaluate("document.querySelector('.review-bar button').disabled"), "there is nothing to export")

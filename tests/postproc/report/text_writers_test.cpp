@@ -227,11 +227,19 @@ TEST(SummaryText, SaysBesideTheVerdictWhatIsNotCutAnyMore) {
   correction.low_rapids = {{1, 11, 0.5}, {2, 12, -0.0054}};
   EXPECT_TRUE(headlines(report.model).now.ends_with("; 2 holes left uncut")) << headlines(report.model).now;
   const std::string text = summary_text(report.model);
-  for (const char* note : {"note: 2 holes left uncut by up to 0.500 mm\n",
-                           "note: cuts were moved by up to 0.300 mm: less is cut there than was programmed\n",
-                           "note: 2 rapids that were written keep less than the clearance of 2 mm: the least 0.0054 mm "
-                           "inside, line 12\n"})
+  for (const char* note :
+       {"note: 2 holes left uncut by up to 0.500 mm\n",
+        "note: cuts were moved by up to 0.300 mm: less is cut there than was programmed\n",
+        "note: 2 rapids that were written keep less than the clearance of 2 mm: the nearest may touch "
+        "by up to 0.0054 mm, a gouge only beyond the tolerance, line 12\n"})
     EXPECT_NE(text.find(note), std::string::npos) << text;
+  correction.low_rapids = {{2, 12, -0.0046}};
+  EXPECT_NE(summary_text(report.model)
+                .find("note: 1 rapid that was written keeps less than the clearance of 2 mm: it may touch by up to "
+                      "0.0046 mm, a gouge only beyond the tolerance, line 12\n"),
+            std::string::npos);
+  correction.low_rapids = {{1, 11, 0.5}};
+  EXPECT_NE(summary_text(report.model).find("the clearance of 2 mm: 0.500 mm, line 11\n"), std::string::npos);
   correction.changes.clear();
   EXPECT_EQ(summary_text(report.model).find("cuts were moved"), std::string::npos);
 }
