@@ -97,6 +97,7 @@ Result<FileRole> role_of(const std::string& file) {
 struct Files {
   std::vector<std::string> paths, parts, libraries;
   std::vector<DoubtfulFile> doubtful;
+  std::optional<Diagnostic> path_error;  ///< of the toolpath; none: it has not been found wrong
 
   [[nodiscard]] std::vector<std::string>& of(Role role) {
     return role == Role::path ? paths : role == Role::part ? parts : libraries;
@@ -121,8 +122,10 @@ void assign(Files& files, Place chosen, Role role) {
 
 void assign_path(Files& files) {
   if (!files.paths.empty() || files.doubtful.empty()) return;
-  const Place chosen = std::ranges::find_if_not(files.doubtful, is_geometry);
-  assign(files, chosen == files.doubtful.end() ? files.doubtful.begin() : chosen, Role::path);
+  Place chosen = std::ranges::find_if_not(files.doubtful, is_geometry);
+  if (chosen == files.doubtful.end()) chosen = files.doubtful.begin();
+  files.path_error = chosen->path_error;
+  assign(files, chosen, Role::path);
 }
 
 void assign_part(Files& files) {
@@ -140,15 +143,6 @@ void assign_tools(Files& files) {
 
 Diagnostic wrong_files(const std::string& message) {
   return make_error("usage", message + "; expected " + kProgramName + " PATH PART.stl [TOOLS] [OPTIONS]");
-}
-
-/// Returns the error about a file that is certainly no toolpath, if no other file can be one. Without a part, the
-/// command line would be refused before a reader could state this.
-std::optional<Diagnostic> find_foreign_path(const Files& files) {
-  if (!files.paths.empty() || !files.parts.empty() || files.doubtful.empty()) return std::nullopt;
-  if (!std::ranges::all_of(files.doubtful, [](const DoubtfulFile& file) { return file.path_error.has_value(); }))
-    return std::nullopt;
-  return files.doubtful.front().path_error;
 }
 
 /// Returns the error about files that have no role, once the doubtful ones were assigned.
@@ -212,9 +206,10 @@ ShortLine expand_short_line(const Words& words, const Words& commands) {
     else
       files.of(std::get<Role>(*role)).push_back(*word);
   }
-  if (!error) error = find_foreign_path(files);
   assign_path(files);
   if (!is_given("--part", option, words)) assign_part(files);
+  // Without a part, the command line would be refused before a reader could state this.
+  if (!error && files.parts.empty()) error = files.path_error;
   assign_tools(files);
   if (!error) error = find_wrong(files);
   return {words_for(files, option, words), error};

@@ -105,7 +105,7 @@ TEST_F(ShortCommand, BlamesTheCommandLineForNoFileThatIsNotRecognised) {
     }
   }
   EXPECT_EQ(expanded({utf16, part, tools})[2], utf16);
-  EXPECT_EQ(expanded({cad, part, empty})[2], empty) << "geometry is the last choice for a toolpath";
+  EXPECT_EQ(expanded({cad, empty})[2], empty) << "geometry is the last choice for a toolpath";
   EXPECT_EQ(expanded({path, add("empty.stl", "")})[4], folder_ + "/empty.stl");
   EXPECT_EQ(expanded({path, part, add("empty.json", "")})[5], "--tools");
   EXPECT_EQ(expanded({path, png})[3], "--part") << "a part is missing first";
