@@ -69,10 +69,7 @@ Diagnostics find_missing_inputs(const BatchJob& job) {
     std::error_code failed;
     const fs::file_status status = fs::status(input.file, failed);
     if (fs::exists(status) && !fs::is_directory(status)) continue;  // opens no pipe, which can be read only once
-    if (const auto opened = InputReader::open(input.file, kMaxInputBytes); !opened) {
-      missing.push_back(opened.error());
-      missing.back().message += "; it is " + input.what;
-    }
+    if (const auto opened = InputReader::open(input.file, kMaxInputBytes); !opened) missing.push_back(opened.error());
   }
   return missing;
 }

@@ -174,9 +174,9 @@ TEST(Batch, ChecksToolpathsNamedOnTheCommandLine) {
   EXPECT_EQ(missing.exit_status, 3);
   EXPECT_NE(missing.out.find("needles: check"), std::string::npos) << missing.out;
   EXPECT_EQ(missing.err,
-            "job needles: no.json: error: no such file; it is the tool library [file-not-found]\n"
-            "job gone: gone.apt: error: no such file; it is the toolpath [file-not-found]\n"
-            "job gone: no.json: error: no such file; it is the tool library [file-not-found]\n");
+            "job needles: no.json: error: no such file [file-not-found]\n"
+            "job gone: gone.apt: error: no such file [file-not-found]\n"
+            "job gone: no.json: error: no such file [file-not-found]\n");
   EXPECT_FALSE(fs::exists(folder + "/none"));
 }
 

@@ -86,7 +86,7 @@ TEST(Streams, ALimitOfTheShellIsStatus5AndLeavesNothing) {
   const Outcome warm = run_script(sample.path, "true");
   ASSERT_EQ(warm.exit_status, 0);
   const std::size_t before = files_in(sample.path);
-  for (const char* outputs : {"--csv old.csv", "--csv new.csv", "--junit u.xml --report r", "--report r"}) {
+  for (const char* outputs : {"--csv old.csv", "--csv new.csv", "--json u.json --report r", "--report r"}) {
     const Outcome ran = run_script(sample.path, "ulimit -f 1\nexec $GOUGECHECK check -q" + kPocket + outputs);
     EXPECT_EQ(ran.exit_status, 5) << outputs;
     EXPECT_NE(ran.err.find("File too large (a limit of the shell, ulimit -f); nothing was written [file-unwritable]"),
