@@ -1,7 +1,5 @@
 #include "lib/head/support_planes.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -42,14 +40,8 @@ double SupportPlanes::find_rise_mm(std::uint32_t facet) const {
   const Vec3 n = surface_->face_normal(facet);
   if (!(n.squaredNorm() > 0.5)) return std::numeric_limits<double>::infinity();  // the facet has no area
   const double at_mm = n.dot(surface_->mesh().corner(facet, 0));
-  const BlockTree& tree = surface_->tree();
-  const std::array<HalfSpace, 1> high{{{n, at_mm + kMaxRise_mm}}}, above{{{n, at_mm}}};
-  if (is_entered(tree, high)) return std::numeric_limits<double>::infinity();
-  double rise = 0;
-  for (const std::uint32_t t : triangles_within(tree, above)) {
-    for (std::size_t c = 0; c < 3; ++c) rise = std::max(rise, n.dot(surface_->mesh().corner(t, c)) - at_mm);
-  }
-  return rise + kRiseRounding_mm;
+  const double highest_mm = highest_along(surface_->tree(), n, at_mm, at_mm + kMaxRise_mm);
+  return highest_mm - at_mm + kRiseRounding_mm;
 }
 
 }  // namespace gouge

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "lib/base/tolerance.h"
 #include "lib/hierarchy/lane_space.h"
@@ -50,6 +51,20 @@ bool is_entered(const BlockTree& tree, std::span<const HalfSpace> space) {
     }
     return false;
   });
+}
+
+double highest_along(const BlockTree& tree, const Vec3& direction, double low_mm, double high_mm) {
+  const std::array<HalfSpace, 1> above{{{direction, low_mm}}};
+  const LaneSpace space(tree, above);
+  double highest = low_mm;
+  const bool is_higher = visit_leaves(tree, space, [&](const TriangleBlock& leaf) {
+    MaskedLanes lanes(space.reached(leaf));
+    while (const auto lane = lanes.next()) {
+      for (const Vec3& corner : tree.corners(leaf.triangle[*lane])) highest = std::max(highest, direction.dot(corner));
+    }
+    return highest > high_mm;
+  });
+  return is_higher ? std::numeric_limits<double>::infinity() : highest;
 }
 
 }  // namespace gouge

@@ -93,7 +93,7 @@ class SweptSolid {
   const Motion& motion_;
 };
 
-/// A body that is fixed to the tool axis, during one motion.
+/// A body that is fixed to the tool axis, during one motion. Not for several threads at once.
 class SweptHead : public SweptSolid {
  public:
   /// Prepares the body. `head` must outlive it.
@@ -111,10 +111,21 @@ class SweptHead : public SweptSolid {
                                           bool is_sharp_only) const override;
 
  private:
+  struct LastFoot {
+    Vec3 of = Vec3::Zero();
+    ClosestPoint foot;
+  };
+
+  [[nodiscard]] const ClosestPoint& closest_to(const Vec3& q) const;
+  [[nodiscard]] std::optional<OuterPlane> plane_at(const ClosestPoint& foot) const;
+  [[nodiscard]] std::optional<DriftingHalfSpace> half_space_at(const ClosestPoint& foot, const Vec3& centre,
+                                                               double radius_mm, const BodyInterval& interval) const;
+
   const HeadBody& head_;
   BodyMotion moving_;
   IntervalTree<BodyInterval, BodyMotion> intervals_;
-  Box3 box_;  // in the tool's frame
+  Box3 box_;                              // in the tool's frame
+  mutable std::optional<LastFoot> last_;  // saves time only; no result depends on it
 };
 
 }  // namespace gouge

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -106,9 +107,35 @@ TEST(TrianglesWithin, IsNotEnteredFarFromTheTriangleButInItsPlane) {
   EXPECT_FALSE(is_entered(tree, box({4, 4, 10 + 1e-8}, {5, 5, 11})));
 }
 
+TEST(TrianglesWithin, HighestAlongADirectionIsThatOfTheCorners) {
+  Scatter random(14);
+  std::array<IndexedMesh, 2> meshes{shapes::sphere(), shapes::torus()};
+  for (Vec3& v : meshes[1].vertices) v += Vec3(100, 20, -4);
+  const BlockTree tree = build_block_tree(meshes);
+  int above = 0, beyond = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 n = random.direction();
+    double highest = -1e300;
+    for (const IndexedMesh& mesh : meshes) {
+      for (const Vec3& v : mesh.vertices) highest = std::max(highest, n.dot(v));
+    }
+    const double low = highest + random.in(-3, 1), high = low + random.in(0, 4);
+    const double found = highest_along(tree, n, low, high);
+    EXPECT_EQ(std::isinf(found), highest > high) << i;
+    if (highest <= high) {
+      EXPECT_NEAR(found, std::max(low, highest), 1e-9) << i;
+    }
+    above += highest > low && highest <= high ? 1 : 0;
+    beyond += highest > high ? 1 : 0;
+  }
+  EXPECT_GT(above, 100);
+  EXPECT_GT(beyond, 50);
+}
+
 TEST(TrianglesWithin, OfNoTrianglesAreNone) {
   EXPECT_TRUE(triangles_within(BlockTree{}, {}).empty());
   EXPECT_FALSE(is_entered(BlockTree{}, {}));
+  EXPECT_EQ(highest_along(BlockTree{}, Vec3::UnitZ(), 2, 3), 2);
 }
 
 TEST(TrianglesWithin, MissesNoneFarAwayInATreeOfVeryDifferentSizes) {

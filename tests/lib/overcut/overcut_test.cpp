@@ -6,6 +6,7 @@
 #include "lib/surface/surface.h"
 #include "tests/support/motions.h"
 #include "tests/support/paths.h"
+#include "tests/support/revolved_heads.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -93,6 +94,42 @@ TEST(Overcut, PlanesOfATurningToolHoldAllOfItThatComesIntoTheCell) {
   }
   EXPECT_GT(in_both, 10000U);
   EXPECT_GT(tight, 50U);
+}
+
+TEST(Overcut, PlanesOfATurningHeadHoldAllOfItThatComesIntoTheCell) {
+  // The rounded head and the box have planes over the whole head everywhere. The others have a neck or a hole.
+  test::Scatter random(12);
+  std::size_t in_both = 0, tight = 0, missed = 0;
+  for (const IndexedMesh& mesh : test::heads_around_the_axis()) {
+    const HeadBody head = *build_head_body(mesh);
+    for (int k = 0; k < 60; ++k) {
+      const double lean = random.in(0, 0.4);
+      const Motion motion = test::straight({random.point(2), random.axis(lean)}, {random.point(2), random.axis(lean)});
+      SweptHead swept(motion, head);
+      const double t = random.in(0, 1), radius = random.in(0.2, 3);
+      const Vec3 beside = mesh.vertices[random.below(mesh.vertices.size())] + random.point(4);
+      const Vec3 centre = BodyMotion(motion).at(t).point(beside);
+      const SweptBound bound = swept.bound(centre, radius, 0);
+      const auto half = swept.half_space(centre + radius * random.direction(), t - 0.5, centre, radius, 0);
+      double least = 1e300;
+      for (int n = 0; n < 400; ++n) {
+        const double at = random.in(0, 1);
+        const Vec3 y = radius * random.in(0, 1) * random.direction();
+        if (swept.distance_at(centre + y, at) > 0) continue;
+        ++in_both;
+        ASSERT_TRUE(bound.is_reached) << mesh.name << k;
+        for (const auto& plane : {half, bound.half}) {
+          if (plane) least = std::min(least, plane->offset_mm + (at - 0.5) * plane->drift_mm - plane->normal.dot(y));
+        }
+      }
+      EXPECT_GE(least, 0) << mesh.name << k;
+      tight += least < 0.1 * radius ? 1U : 0U;
+      missed += bound.is_reached ? 0U : 1U;
+    }
+  }
+  EXPECT_GT(in_both, 10000U);
+  EXPECT_GT(tight, 20U);
+  EXPECT_GT(missed, 10U);
 }
 
 TEST(Overcut, OfARibCutThroughIsHalfItsThickness) {
