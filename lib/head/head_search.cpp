@@ -15,6 +15,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kMaxKept = 8;                          // maximum number of planes
+constexpr std::size_t kMaxNew = 2;                           // maximum number of planes that one region adds
 constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: rounding of a facet's normal
 constexpr double kSameNormal = 0.9999;  // cosine: a second plane with nearly the same normal gives no better bound
 
@@ -163,6 +164,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     c.upper_mm = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < plane_count_ && c.upper_mm > threshold_mm(); ++k)
       c.upper_mm = std::min(c.upper_mm, depth_by_support(region, raised(planes_[k].plane, reach_mm)));
+    if (c.upper_mm > threshold_mm()) bound_by_pairs(c, region, plane_count_);
     if (c.upper_mm > threshold_mm()) bound_by_foot(c, region);
     c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
     return true;
@@ -174,8 +176,27 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     c.facet = foot.triangle;
     c.upper_mm =
         std::min(c.upper_mm, targets_[c.tree].reach_mm + region.radius_mm - foot.signed_mm() + Tolerance::kRounding_mm);
-    if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
+    if (c.upper_mm <= threshold_mm()) return;
+    bound_by_planes(c, region, foot);
+    if (c.upper_mm > threshold_mm()) bound_by_pairs(c, region, kMaxNew);
   }
+
+  /// Bounds a piece by two kept planes at a time, one of which is among the first `firsts`. Deep in a head several faces
+  /// are about equally near. Pairs that cannot discard the piece are left out.
+  void bound_by_pairs(Candidate& c, const PieceRegion& region, std::size_t firsts) const {
+    const double reach_mm = targets_[c.tree].reach_mm, enough_mm = threshold_mm();
+    std::array<CornerDepths, kMaxKept> depths;
+    for (std::size_t k = 0; k < plane_count_; ++k)
+      depths[k] = corner_depths(region, raised(planes_[k].plane, reach_mm));
+    for (std::size_t a = 0; a < std::min(firsts, plane_count_); ++a) {
+      for (std::size_t b = a + 1; b < plane_count_; ++b) {
+        if (least_depth(depths[a], depths[b]) > enough_mm) continue;
+        c.upper_mm = std::min(c.upper_mm, depth_by_two_supports(region, depths[a], depths[b]));
+        if (c.upper_mm <= enough_mm) return;
+      }
+    }
+  }
+  void bound_by_pairs(Candidate& /*c*/, const NodeRegion& /*region*/, std::size_t /*firsts*/) const {}
 
   /// Uses a facet's own plane first, if it bounds the whole head: then no other prism on the facet gives a better
   /// bound.

@@ -1,6 +1,7 @@
 #include "lib/head/plane_bound.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "lib/base/tolerance.h"
 
@@ -55,6 +56,19 @@ template <typename Region>
 double depth_below_support(const Region& region, const OuterPlane& plane) {
   const double low_mm = plane.normal.dot(region.middle) + region.along(plane.normal).low_mm;
   return std::max(0.0, plane.height_mm - low_mm + Tolerance::kRounding_mm);
+}
+
+/// Returns the corner at which the mean `share` a + (1 - share) b is largest.
+std::size_t deepest_corner(const CornerDepths& a, const CornerDepths& b, double share) {
+  std::size_t deepest = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double mean = share * a[k] + (1 - share) * b[k];
+    if (!(mean > most)) continue;
+    most = mean;
+    deepest = k;
+  }
+  return deepest;
 }
 
 }  // namespace
@@ -142,6 +156,23 @@ double depth_by_support(const PieceRegion& region, const OuterPlane& plane) {
 
 double depth_by_support(const NodeRegion& region, const OuterPlane& plane) {
   return depth_below_support(region, plane);
+}
+
+// The largest mean is a convex function of the share. It is least where a corner at which the mean falls meets one at
+// which it rises. Each pass replaces one of the two by a deeper corner; the result is valid after any number of them.
+double depth_by_two_supports(const PieceRegion& region, const CornerDepths& a, const CornerDepths& b) {
+  std::size_t falling = deepest_corner(a, b, 0), rising = deepest_corner(a, b, 1);
+  double least = std::min(b[falling], a[rising]);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double falls = b[falling] - a[falling], rises = a[rising] - b[rising];
+    if (!(falls > 0) || !(rises > 0)) break;
+    const double share = std::clamp((b[falling] - b[rising]) / (falls + rises), 0.0, 1.0);
+    const std::size_t deepest = deepest_corner(a, b, share);
+    least = std::min(least, share * a[deepest] + (1 - share) * b[deepest]);
+    if (deepest == falling || deepest == rising) break;
+    (a[deepest] > b[deepest] ? rising : falling) = deepest;
+  }
+  return std::max(0.0, least + region.bulge_mm + Tolerance::kRounding_mm);
 }
 
 }  // namespace gouge

@@ -83,5 +83,52 @@ TEST(SupportPlanes, BoundTheDepthOfPiecesThatMove) {
   EXPECT_GT(deep, 1000u);
 }
 
+TEST(SupportPlanes, TwoBoundDeepPiecesBetterThanEachAlone) {
+  std::size_t better = 0, deep = 0;
+  for (const IndexedMesh& mesh : heads()) {
+    const HeadBody head = *build_head_body(mesh);
+    test::Scatter random(6);
+    for (int i = 0; i < 400; ++i) {
+      // About a core, where several faces are about equally near.
+      const Vec3 about = head.cores[random.below(head.cores.size())] + random.point(1);
+      std::array<Vec3, 6> corners;
+      for (Vec3& corner : corners) corner = about + (i % 3 == 0 ? 0.05 : 3) * random.point(1);
+      const double bulge = i % 2 == 0 ? 0 : random.in(0, 0.1);
+      const PieceRegion region(corners, bulge);
+      const auto first = head.supports.plane(static_cast<std::uint32_t>(random.below(mesh.triangles.size())));
+      const auto second = head.supports.plane(static_cast<std::uint32_t>(random.below(mesh.triangles.size())));
+      if (!first || !second) continue;
+      const CornerDepths a = corner_depths(region, *first), b = corner_depths(region, *second);
+      const double bound = depth_by_two_supports(region, a, b);
+      const double alone = std::min(depth_by_support(region, *first), depth_by_support(region, *second));
+      ASSERT_LE(bound, alone + 1e-8);
+      ASSERT_LE(least_depth(a, b), bound);
+      better += bound < alone - 1e-6 ? 1 : 0;
+      // The least of all means.
+      double least = alone;
+      for (int share = 0; share <= 1000; ++share) {
+        double most = 0;
+        for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, b[k] + 1e-3 * share * (a[k] - b[k]));
+        least = std::min(least, most + bulge);
+      }
+      ASSERT_LE(bound, least + 1e-8) << mesh.name << i;
+      for (int k = 0; k < 60; ++k) {
+        double sum = 0;
+        Vec3 q = Vec3::Zero();
+        for (const Vec3& corner : corners) {
+          const double share = random.in(0, 1);
+          sum += share;
+          q += share * corner;
+        }
+        const double depth = -head.surface.closest_point(q / sum + bulge * random.direction())->signed_mm();
+        ASSERT_LE(depth, bound + 1e-9) << mesh.name << i;
+        deep += depth > 0.1 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(better, 100u);
+  EXPECT_GT(deep, 1000u);
+}
+
 }  // namespace
 }  // namespace gouge::support_planes_test
