@@ -14,8 +14,9 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMaxKept = 8;                          // maximum number of planes
-constexpr std::size_t kMaxNew = 2;                           // maximum number of planes that one region adds
+constexpr std::size_t kMaxKept = 8;        // maximum number of planes
+constexpr std::size_t kMaxNew = 2;         // maximum number of planes that one region adds
+constexpr double kHardlyDeeper_mm = 2e-8;  // more than the rounding of a facet's plane (support_planes.cpp)
 constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: rounding of a facet's normal
 constexpr double kSameNormal = 0.9999;  // cosine: a second plane with nearly the same normal gives no better bound
 
@@ -248,12 +249,15 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return plane;
   }
 
-  /// Returns whether a kept plane proves that a point is no deeper than the deepest known point.
+  /// Returns a depth that is not worth a search. Neighbouring pieces share corners, so the deepest known point is tried
+  /// again and again.
+  [[nodiscard]] double no_deeper_mm() const { return result_.depth_mm + (result_.has_witness ? kHardlyDeeper_mm : 0); }
+
+  /// Returns whether a kept plane proves that a point is hardly deeper than the deepest known point.
   [[nodiscard]] bool is_no_deeper(const Vec3& q, double reach_mm) const {
-    return std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
-                       [&](const Kept& kept) {
-                         return reach_mm + kept.plane.height_mm - kept.plane.normal.dot(q) <= result_.depth_mm;
-                       });
+    return std::any_of(
+        planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
+        [&](const Kept& kept) { return reach_mm + kept.plane.height_mm - kept.plane.normal.dot(q) <= no_deeper_mm(); });
   }
 
   void try_points(const Candidate& c, const Vec3& centre) {
@@ -265,7 +269,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
         const Vec3 q = to_tool.point(p);
         if (is_no_deeper(q, reach_mm)) continue;
         const double near2_mm2 = closest_on_triangle(q, head_.surface.corners(c.facet)).distance2_mm2;
-        if (!(reach_mm > 0) && near2_mm2 <= result_.depth_mm * result_.depth_mm) continue;
+        if (!(reach_mm > 0) && near2_mm2 <= no_deeper_mm() * no_deeper_mm()) continue;
         const ClosestPoint foot = head_.surface.closest_point_from(q, c.facet);
         if (const auto support = head_.supports.plane(foot.triangle)) keep_plane(foot.triangle, *support);
         const double value_mm = reach_mm - foot.signed_mm();
