@@ -183,17 +183,20 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
   }
 
   /// Bounds a piece by two kept planes at a time, one of which is among the first `firsts`. Deep in a head several faces
-  /// are about equally near. Pairs that cannot discard the piece are left out.
+  /// are about equally near. Pairs that cannot discard the piece are left out. Before a gouge is known, a piece that may
+  /// be deeper than the tolerance is kept, so that a gouge within the resolution is still found.
   void bound_by_pairs(Candidate& c, const PieceRegion& region, std::size_t firsts) const {
-    const double reach_mm = targets_[c.tree].reach_mm, enough_mm = threshold_mm();
+    const bool is_gouge = result_.depth_mm > goal_.tolerance_mm;
+    const double reach_mm = targets_[c.tree].reach_mm, enough_mm = is_gouge ? threshold_mm() : goal_.tolerance_mm;
     std::array<CornerDepths, kMaxKept> depths;
     for (std::size_t k = 0; k < plane_count_; ++k)
       depths[k] = corner_depths(region, raised(planes_[k].plane, reach_mm));
     for (std::size_t a = 0; a < std::min(firsts, plane_count_); ++a) {
       for (std::size_t b = a + 1; b < plane_count_; ++b) {
         if (least_depth(depths[a], depths[b]) > enough_mm) continue;
-        c.upper_mm = std::min(c.upper_mm, depth_by_two_supports(region, depths[a], depths[b]));
-        if (c.upper_mm <= enough_mm) return;
+        const double depth_mm = depth_by_two_supports(region, depths[a], depths[b]);
+        if (is_gouge || depth_mm <= enough_mm) c.upper_mm = std::min(c.upper_mm, depth_mm);
+        if (depth_mm <= enough_mm) return;
       }
     }
   }
