@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "lib/base/tolerance.h"
 #include "lib/check/hull_bound.h"
@@ -12,6 +13,7 @@
 #include "lib/geom/triangle.h"
 #include "lib/motion/motion_law.h"
 #include "lib/motion/tool_interval.h"
+#include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
@@ -39,24 +41,51 @@ Vec3 focus_of(const BoundaryElement& element, const Vec3& q, const Vec3& out) {
   return q.head<2>().norm() * out + q.z() * Vec3::UnitZ();
 }
 
+/// A triangle that may have a contact.
+struct NearTriangle {
+  std::array<Vec3, 3> corners;
+  double upper_mm = 0;     ///< upper bound of its excess
+  std::size_t number = 0;  ///< in the order of the tree
+};
+
 class Collector {
  public:
   Collector(const ToolInterval& interval, const CompiledTool& tool, const BlockTree& tree, double aim,
-            double notable_mm, std::vector<ToolContact>& contacts)
-      : interval_(interval),
-        frame_(interval.f0),
-        tool_(tool),
-        tree_(tree),
-        aim_(aim),
-        notable_mm_(notable_mm),
-        contacts_(contacts) {}
+            double notable_mm)
+      : interval_(interval), frame_(interval.f0), tool_(tool), tree_(tree), aim_(aim), notable_mm_(notable_mm) {
+    visit(0);
+  }
 
+  [[nodiscard]] std::vector<ToolContact> contacts() {
+    std::vector<ToolContact> found;
+    for (const NearTriangle& triangle : near_) {
+      if (is_contact(triangle.corners)) found.push_back(best_);
+    }
+    return found;
+  }
+
+  /// Returns the deepest contact, of equal ones the first.
+  [[nodiscard]] std::optional<ToolContact> deepest() {
+    std::ranges::stable_sort(near_, std::greater<>(), &NearTriangle::upper_mm);
+    std::optional<ToolContact> most;
+    std::size_t number = 0;
+    for (const NearTriangle& triangle : near_) {
+      if (most && triangle.upper_mm + Tolerance::kRounding_mm < most->excess_mm) break;
+      if (!is_contact(triangle.corners)) continue;
+      const bool is_equal = most && !(best_.excess_mm < most->excess_mm) && !(most->excess_mm < best_.excess_mm);
+      if (most && !(most->excess_mm < best_.excess_mm) && !(is_equal && triangle.number < number)) continue;
+      most = best_;
+      number = triangle.number;
+    }
+    return most;
+  }
+
+ private:
   void visit(std::uint32_t index) {
     const NodeBlock& node = tree_.nodes[index];
     for (std::size_t i = 0; i < node.count; ++i) {
       const Vec3 center = tree_.origin + Vec3(node.center[0][i], node.center[1][i], node.center[2][i]);
-      const ToolSample sample = sample_tool(tool_, frame_.to_tool(center));
-      if (excess(sample) + static_cast<double>(node.radius_mm[i]) <= notable_mm_) continue;
+      if (excess_at(center) + static_cast<double>(node.radius_mm[i]) <= notable_mm_) continue;
       if (node.has_leaves) {
         visit_leaf(tree_.leaves[node.child[i]]);
       } else {
@@ -65,23 +94,43 @@ class Collector {
     }
   }
 
- private:
-  [[nodiscard]] double excess(const ToolSample& sample) const { return -sample.nearest.signed_distance_mm - aim_; }
-
   void visit_leaf(const TriangleBlock& leaf) {
     for (std::size_t i = 0; i < leaf.count; ++i) {
-      best_ = ToolContact{};
-      pieces_ = 0;
-      const std::array<Vec3, 3> corners = tree_.corners(leaf.triangle[i]);
-      refine(corners);
-      const Vec3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-      const Vec3 face = across.norm() > 0 ? Vec3(across.normalized()) : Vec3::Zero();
-      if (!(best_.excess_mm > notable_mm_)) continue;
-      if (face.squaredNorm() > 0) turn_to_face(corners, face);
-      follow_round(corners);
-      best_.face = face;
-      contacts_.push_back(best_);
+      NearTriangle triangle;
+      triangle.corners = tree_.corners(leaf.triangle[i]);
+      const Vec3 centre = middle_of(triangle.corners);
+      triangle.upper_mm = excess_at(centre) + radius_about(centre, triangle.corners);
+      triangle.number = near_.size();
+      if (triangle.upper_mm > notable_mm_ - Tolerance::kRounding_mm) near_.push_back(triangle);
     }
+  }
+
+  /// Returns the excess of a point of the part.
+  [[nodiscard]] double excess_at(const Vec3& point) const {
+    const Vec3 q = frame_.to_tool(point);
+    return -signed_distance_mm(tool_, q.head<2>().norm(), q.z()) - aim_;
+  }
+  [[nodiscard]] double excess(const ToolSample& sample) const { return -sample.nearest.signed_distance_mm - aim_; }
+
+  [[nodiscard]] static Vec3 middle_of(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+  [[nodiscard]] static double radius_about(const Vec3& centre, const std::array<Vec3, 3>& t) {
+    double radius = 0;
+    for (const Vec3& corner : t) radius = std::max(radius, (corner - centre).norm());
+    return radius;
+  }
+
+  /// Finds the deepest point of a triangle, best_. Returns whether it is a contact.
+  [[nodiscard]] bool is_contact(const std::array<Vec3, 3>& corners) {
+    best_ = ToolContact{};
+    pieces_ = 0;
+    refine(corners);
+    if (!(best_.excess_mm > notable_mm_)) return false;
+    const Vec3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const Vec3 face = across.norm() > 0 ? Vec3(across.normalized()) : Vec3::Zero();
+    if (face.squaredNorm() > 0) turn_to_face(corners, face);
+    follow_round(corners);
+    best_.face = face;
+    return true;
   }
 
   /// Tries the points at which the tool's normal is that of the face. Within the accuracy of the search a ball is
@@ -128,9 +177,8 @@ class Collector {
 
   void refine(const std::array<Vec3, 3>& t) {
     if (++pieces_ > kMaxPieces) return;
-    const Vec3 centre = (t[0] + t[1] + t[2]) / 3.0;
-    double radius = 0;
-    for (const Vec3& corner : t) radius = std::max(radius, (corner - centre).norm());
+    const Vec3 centre = middle_of(t);
+    const double radius = radius_about(centre, t);
     const ToolSample middle = try_point(centre);
     const double above = std::min(0.0, aim_);  // offset of the depth and of the bound, which ends at the reach
     if (radius - middle.nearest.signed_distance_mm - above <= lower_cutoff_mm()) return;
@@ -169,7 +217,7 @@ class Collector {
   const BlockTree& tree_;
   double aim_;
   double notable_mm_;
-  std::vector<ToolContact>& contacts_;
+  std::vector<NearTriangle> near_;
   ToolContact best_;
   int pieces_ = 0;
 };
@@ -203,6 +251,14 @@ std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedS
   return all;
 }
 
+std::optional<ToolContact> deepest_contact(const Pose& pose, const CompiledTool& tool, const BlockTree& tree,
+                                           double aim_mm, double notable_mm) {
+  if (tree.nodes.empty() || tool.elements.empty()) return std::nullopt;
+  const Motion alone = MotionLaw::tool_at(pose);
+  const ToolInterval interval(alone, whole_segment(alone, 0));
+  return Collector(interval, tool, tree, aim_mm, notable_mm).deepest();
+}
+
 double excess_of(const Motion& alone, const AimedTarget& aimed, double accuracy_mm, std::uint64_t& bounds) {
   constexpr std::uint64_t kBudget = 1'000'000;
   const double reach = std::max(0.0, -aimed.aim_mm);
@@ -218,12 +274,10 @@ double excess_of(const Motion& alone, const AimedTarget& aimed, double accuracy_
 
 std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& tool, const BlockTree& tree, double aim_mm,
                                        double notable_mm) {
-  std::vector<ToolContact> contacts;
-  if (tree.nodes.empty() || tool.elements.empty()) return contacts;
+  if (tree.nodes.empty() || tool.elements.empty()) return {};
   const Motion alone = MotionLaw::tool_at(pose);
   const ToolInterval interval(alone, whole_segment(alone, 0));
-  Collector(interval, tool, tree, aim_mm, notable_mm, contacts).visit(0);
-  return contacts;
+  return Collector(interval, tool, tree, aim_mm, notable_mm).contacts();
 }
 
 std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
@@ -234,6 +288,21 @@ std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& too
     contacts.insert(contacts.end(), found.begin(), found.end());
   }
   return contacts;
+}
+
+std::optional<ToolContact> find_deepest_contact(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
+                                                const CorrectionAim& aim, double notable_mm) {
+  std::optional<ToolContact> most;
+  for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
+    const auto found = deepest_contact(pose, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, notable_mm);
+    if (found && (!most || most->excess_mm < found->excess_mm)) most = found;
+  }
+  return most;
+}
+
+std::optional<ToolContact> find_deepest_contact(const Pose& pose, const CompiledTool& tool, const BlockTree& tree,
+                                                double aim_mm) {
+  return deepest_contact(pose, tool, tree, aim_mm, 0);
 }
 
 double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lib/check/prepared_scene.h"
@@ -32,6 +33,14 @@ struct CorrectionAim {
 /// Returns the same for one tool and the triangles of one tree.
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& tool, const BlockTree& tree,
                                                      double aim_mm, double notable_mm = 0);
+
+/// Returns the contact of find_contacts with the largest excess; of equal ones the first. Returns nothing if there is no
+/// contact. Triangles that cannot have it are not examined.
+[[nodiscard]] std::optional<ToolContact> find_deepest_contact(const Pose& pose, const ToolVariants& tool,
+                                                              const PreparedScene& scene, const CorrectionAim& aim,
+                                                              double notable_mm = 0);
+[[nodiscard]] std::optional<ToolContact> find_deepest_contact(const Pose& pose, const CompiledTool& tool,
+                                                              const BlockTree& tree, double aim_mm);
 
 /// Returns a lower bound, close to the truth, of how far the deepest point exceeds the aim at a pose. It is 0 only if
 /// the aim is proved to be met to `accuracy_mm`. If `bounds` is given, the number of computed bounds is added to it.

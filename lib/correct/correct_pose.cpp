@@ -44,22 +44,26 @@ std::optional<CorrectedPose> lift_along(const Vec3& way, Strategy strategy, cons
   }
 }
 
-/// A function that returns the shift of the tip that the contacts of a pose require.
-using ShiftOfContacts = Vec3 (*)(const std::vector<ToolContact>& contacts);
+/// A function that returns the shift of the tip that the contacts of a pose require. Contacts with less than
+/// `notable_mm` do not count.
+using ShiftOfContacts = Vec3 (*)(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
+                                 const CorrectionAim& aim, double notable_mm);
 
-Vec3 weighted_mean(const std::vector<ToolContact>& contacts) {
+Vec3 weighted_mean(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim,
+                   double notable_mm) {
   Vec3 sum = Vec3::Zero();
   double weight = 0;
-  for (const ToolContact& contact : contacts) {
+  for (const ToolContact& contact : find_contacts(pose, tool, scene, aim, notable_mm)) {
     sum += contact.excess_mm * contact.excess_mm * contact.normal;
     weight += contact.excess_mm;
   }
   return weight > 0 ? Vec3(sum / weight) : Vec3::Zero();
 }
 
-Vec3 of_deepest(const std::vector<ToolContact>& contacts) {
-  const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
-  return deepest == contacts.end() ? Vec3::Zero() : Vec3(deepest->excess_mm * deepest->normal);
+Vec3 of_deepest(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim,
+                double notable_mm) {
+  const auto deepest = find_deepest_contact(pose, tool, scene, aim, notable_mm);
+  return deepest ? Vec3(deepest->excess_mm * deepest->normal) : Vec3::Zero();
 }
 
 /// Repeats the shift until the aim is met.
@@ -72,7 +76,7 @@ std::optional<CorrectedPose> iterate(ShiftOfContacts shift_of, Strategy strategy
     const double most = tool_excess(result.pose, tool, checker, aim);
     if (!std::isfinite(most)) return std::nullopt;
     if (most <= 0) return result;
-    const Vec3 shift = shift_of(find_contacts(result.pose, tool, checker.scene(), further, kNotable * most));
+    const Vec3 shift = shift_of(result.pose, tool, checker.scene(), further, kNotable * most);
     if (!(shift.norm() > 0)) return std::nullopt;
     result.pose.tip += shift;
     result.shift_mm = (result.pose.tip - pose.tip).norm();
@@ -158,11 +162,9 @@ bool is_cutter_in(const Pose& pose, const ToolVariants& tool, const MotionChecke
 /// the cutter is. At the lower end of a shank the nearest way out leads along the axis, and does not end there.
 std::optional<CorrectedPose> correct_along_face(const Pose& pose, const ToolVariants& tool,
                                                 const MotionChecker& checker, const PoseLimits& limits) {
-  std::vector<ToolContact> contacts =
-      find_contacts(pose, tool.cutting, checker.scene().workpiece_tree(), limits.aim.workpiece_mm);
-  if (contacts.empty()) contacts = find_contacts(pose, tool, checker.scene(), limits.aim);
-  const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
-  if (deepest == contacts.end() || !(deepest->face.squaredNorm() > 0)) return std::nullopt;
+  auto deepest = find_deepest_contact(pose, tool.cutting, checker.scene().workpiece_tree(), limits.aim.workpiece_mm);
+  if (!deepest) deepest = find_deepest_contact(pose, tool, checker.scene(), limits.aim);
+  if (!deepest || !(deepest->face.squaredNorm() > 0)) return std::nullopt;
   auto found = lift_along(deepest->face, Strategy::normal, pose, tool, checker, limits);
   if (found && head_excess(found->pose, checker, limits) > 0) return std::nullopt;
   return found;
@@ -223,8 +225,11 @@ FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind
   const double side = largest_side_mm.value_or(kSideShiftsPerDepth * depth_mm);
   const Ways ways = ways_of(wanted, pose, tool, checker, limits);
   FreedPose freed;
+  PoseLimits shorter = limits;
   for (const Way& way : ways.in_order) {
-    const auto shifted = correct_by(way, pose, tool, checker, limits);
+    // A lift that becomes longer than the shortest shift so far is not taken.
+    if (freed.corrected) shorter.largest_shift_mm = freed.corrected->shift_mm;
+    const auto shifted = correct_by(way, pose, tool, checker, shorter);
     if (!shifted) continue;
     const double aside = way == Strategy::axis ? 0 : side_shift_mm(shifted->pose.tip - pose.tip, pose.axis);
     if (aside > side) {

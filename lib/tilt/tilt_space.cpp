@@ -104,10 +104,8 @@ std::optional<double> TiltSpace::raise_mm(std::size_t i, const Tilt& tilt, Refus
     pose.tip = kept.tip + raised_mm * at.pivot.normal();
   }
   if (refusing == nullptr) return std::nullopt;
-  const std::vector<ToolContact> contacts =
-      find_contacts(pose, task_.tool->cutting, task_.checker->scene().workpiece_tree(), aim);
-  const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
-  if (deepest != contacts.end()) {
+  const auto deepest = find_deepest_contact(pose, task_.tool->cutting, task_.checker->scene().workpiece_tree(), aim);
+  if (deepest) {
     Witness witness;
     witness.point = deepest->point;
     learn(witness, *refusing);
