@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
@@ -16,8 +17,15 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSag_mm = 1e-3;
 constexpr double kTurn_rad = 0.0175;  // maximum turn of a stretch: its points deviate little from their chords
 constexpr std::uint32_t kLeaf = 4;
+constexpr std::uint32_t kSmallNode = 16;
 
-constexpr auto kSkipNothing = [](const auto& /*node*/) { return false; };
+/// Returns an upper bound of the angle between two unit vectors. Of the series of the arc sine, all terms but the first
+/// are replaced by their sum at 1 times the cube.
+double turn_at_most_rad(const Vec3& a, const Vec3& b) {
+  constexpr double kRest = std::numbers::pi / 2 - 1;
+  const double chord = (a - b).norm();
+  return chord + kRest * chord * chord * chord / 4;
+}
 
 }  // namespace
 
@@ -71,29 +79,46 @@ void CutterSweep::add(const Motion& motion, const CompiledTool& cutter, std::siz
 
 void CutterSweep::index() {
   nodes_.clear();
+  nodes_.reserve(stretches_.size());
+  cores_.clear();
+  cores_.reserve(stretches_.size());
+  for (const CutterStretch& stretch : stretches_) cores_.push_back(core_of(stretch));
   if (!stretches_.empty()) build(0, static_cast<std::uint32_t>(stretches_.size()));
+}
+
+CutterSweep::Core CutterSweep::core_of(const CutterStretch& stretch) {
+  Core core;
+  const Vec3 between = stretch.start.axis + stretch.end.axis;
+  core.middle = {0.5 * (stretch.start.tip + stretch.end.tip), between.normalized()};
+  core.half_way = 0.5 * (stretch.end.tip - stretch.start.tip);
+  core.half_way_mm = core.half_way.norm();
+  core.beside_mm = stretch.off_mm;
+  core.turn_rad = 0.5 * stretch.angle_rad;
+  return core;
 }
 
 std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
-  Node& made = nodes_.emplace_back();
-  made.low.setConstant(kNever);
-  made.high.setConstant(-kNever);
-  made.first = first;
-  made.last = last;
-  surround(made);
+  nodes_.emplace_back();
+  std::uint32_t second = 0;
   if (last - first > kLeaf) {
     build(first, first + (last - first) / 2);
-    const std::uint32_t second = build(first + (last - first) / 2, last);
-    Node& node = nodes_[index];
-    node.second = second;
+    second = build(first + (last - first) / 2, last);
+  }
+  Node& node = nodes_[index];
+  node.low.setConstant(kNever);
+  node.high.setConstant(-kNever);
+  node.first = first;
+  node.last = last;
+  node.second = second;
+  surround(index);
+  if (second != 0) {
     for (const std::uint32_t child : {index + 1, second}) {
       node.low = node.low.cwiseMin(nodes_[child].low);
       node.high = node.high.cwiseMax(nodes_[child].high);
     }
     return index;
   }
-  Node& node = nodes_[index];
   for (std::uint32_t i = first; i < last; ++i) {
     const CutterStretch& piece = stretches_[i];
     // The box surrounds the cutter about the axis at both ends, plus the deviation of both from their chords in
@@ -110,25 +135,65 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   return index;
 }
 
-// Surrounds the poses of a node. Between two poses a point of a body moves by at most the sum of two lengths. One is
-// the motion of the tip; the other is the distance from the tip times the angle between the axes. A turn about the axis
-// changes nothing. On the way of a piece, each tip is between the tips of its ends. Each axis is between its axes, or
-// beyond them by at most its turn.
-void CutterSweep::surround(Node& node) const {
-  const CutterStretch& middle = stretches_[node.first + (node.last - node.first) / 2];
-  node.middle = middle.start;
-  for (std::uint32_t i = node.first; i < node.last; ++i) {
-    const CutterStretch& piece = stretches_[i];
-    if (piece.cutter != middle.cutter) node.spread_mm = kNever;
-    const double way = std::max((piece.start.tip - node.middle.tip).norm(), (piece.end.tip - node.middle.tip).norm());
-    const double turn = angle_between_rad(piece.start.axis, node.middle.axis) + piece.angle_rad;
-    node.spread_mm = std::max(node.spread_mm, way + farthest_mm(*piece.cutter) * turn + piece.off_mm);
+// Surrounds the poses of a node by those of its stretches. For a large node, whose bound excludes few points, it takes
+// those of its halves.
+void CutterSweep::surround(std::uint32_t index) {
+  Node& node = nodes_[index];
+  const std::uint32_t between = node.first + (node.last - node.first) / 2;
+  const Vec3 &from = stretches_[node.first].start.tip, &to = stretches_[node.last - 1].end.tip;
+  Core& all = node.core;
+  all.middle = {0.5 * (from + to), cores_[between].middle.axis};
+  all.half_way = 0.5 * (to - from);
+  all.half_way_mm = all.half_way.norm();
+  const double length = all.half_way.squaredNorm();
+  const auto beside_mm = [&](const Vec3& tip) {
+    const Vec3 along = tip - all.middle.tip;
+    const double share = length > 0 ? std::clamp(along.dot(all.half_way) / length, -1.0, 1.0) : 0;
+    return (along - share * all.half_way).norm();
+  };
+  const auto include = [&](const Core& core, const CompiledTool* cutter) {
+    if (cutter != stretches_[between].cutter) all.beside_mm = kNever;
+    for (const double end : {-1.0, 1.0})
+      all.beside_mm = std::max(all.beside_mm, beside_mm(core.middle.tip + end * core.half_way) + core.beside_mm);
+    all.turn_rad = std::max(all.turn_rad, turn_at_most_rad(core.middle.axis, all.middle.axis) + core.turn_rad);
+  };
+  if (node.last - node.first > kSmallNode) {
+    for (const std::uint32_t child : {index + 1, node.second})
+      include(nodes_[child].core, stretches_[nodes_[child].first].cutter);
+    return;
   }
+  for (std::uint32_t i = node.first; i < node.last; ++i) include(cores_[i], stretches_[i].cutter);
 }
 
-bool CutterSweep::is_beyond(const Node& node, const Vec3& point, double within_mm) const {
-  return node.spread_mm < kNever &&
-         signed_distance_mm(*stretches_[node.first].cutter, node.middle, point) > node.spread_mm + within_mm;
+// Let u be the point in the cutter's frame at the middle pose. The tip moves by w, which is at most half of the way plus
+// a distance beside it, and the axis turns by an angle. So u moves by -w, by a vector across u of length angle |u|, and
+// by at most angle |w| + angle^2 |u| / 2 more. The distance from a convex cutter is a convex function of u, so it changes
+// by no less than its gradient states. From any other cutter, it changes by no more than u moves. A triangle turns about
+// the point too.
+bool CutterSweep::is_beyond(const Core& core, const CutterStretch& of, const Vec3& point, double within_mm,
+                            const Corners* corners) {
+  const Vec3 from_tip = point - core.middle.tip;
+  const Vec3 &axis = core.middle.axis, &half_way = core.half_way;
+  const double z = from_tip.dot(axis);
+  const Vec3 across = from_tip - z * axis;
+  const double r = across.norm(), far = r + std::abs(z), turn = core.turn_rad;
+  const double way = core.half_way_mm + core.beside_mm;
+  double radius = 0;
+  if (corners != nullptr) {
+    for (const Vec3& corner : *corners) radius = std::max(radius, corner.norm());
+  }
+  if (!of.is_convex) return signed_distance_mm(*of.cutter, r, z) > way + (far + way) * turn + radius + within_mm;
+  const ToolDistance at = evaluate(*of.cutter, r, z);
+  const double outwards = r > 0 ? at.normal.x() / r : 0;
+  double nearer = 0;
+  if (corners != nullptr) {
+    const Vec3 gradient = outwards * across + at.normal.y() * axis;
+    for (const Vec3& corner : *corners) nearer = std::max(nearer, -gradient.dot(corner));
+  }
+  const double along = std::abs(outwards * across.dot(half_way) + at.normal.y() * axis.dot(half_way));
+  const double lever = std::abs(r * at.normal.y() - z * at.normal.x());
+  const double moved = along + core.beside_mm + turn * (lever + way + radius + 0.5 * turn * far);
+  return at.signed_distance_mm > moved + nearer + within_mm;
 }
 
 /// Returns the largest distance of the points from the node's box.
@@ -148,7 +213,7 @@ bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const
   work += 1 + (node.second == 0 ? node.last - node.first : 0);
   if (node.second == 0) {
     for (std::uint32_t i = node.first; i < node.last; ++i) {
-      if (look(i)) return true;
+      if (!skip(cores_[i], stretches_[i]) && look(i)) return true;
     }
     return false;
   }
@@ -159,9 +224,8 @@ bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const
     std::swap(near_mm, far_mm);
   }
   const auto is_near = [&](std::uint32_t child, double box_mm) {
-    const double within_mm = within();
-    return box_mm <= std::max(within_mm, 0.0) && !is_beyond(nodes_[child], points.front(), within_mm) &&
-           !skip(nodes_[child]);
+    const Node& of = nodes_[child];
+    return box_mm <= std::max(within(), 0.0) && !skip(of.core, stretches_[of.first]);
   };
   return (is_near(near, near_mm) && visit(near, points, within, skip, look, work)) ||
          (is_near(far, far_mm) && visit(far, points, within, skip, look, work));
@@ -183,9 +247,10 @@ double CutterSweep::distance(const Vec3& point, double lower_cutoff_mm, double u
   };
   const std::uint32_t first = hint.piece;
   if (first >= stretches_.size() || !look(first)) {
+    const auto within = [&] { return std::min(found, upper_cutoff_mm); };
+    const auto skip = [&](const Core& core, const CutterStretch& of) { return is_beyond(core, of, point, within()); };
     visit(
-        0, points, [&] { return std::min(found, upper_cutoff_mm); }, kSkipNothing,
-        [&](std::uint32_t i) { return i != first && look(i); }, hint.work);
+        0, points, within, skip, [&](std::uint32_t i) { return i != first && look(i); }, hint.work);
   }
   return bound;
 }
@@ -199,8 +264,9 @@ std::size_t CutterSweep::covering_move(std::span<const Vec3> points, SweepHint& 
     return nearest.found_mm() <= 0;
   };
   const auto inside = [] { return 0.0; };
+  const auto skip = [&](const Core& core, const CutterStretch& of) { return is_beyond(core, of, points.front(), 0); };
   const bool is_found =
-      (hint.piece < stretches_.size() && look(hint.piece)) || visit(0, points, inside, kSkipNothing, look, hint.work);
+      (hint.piece < stretches_.size() && look(hint.piece)) || visit(0, points, inside, skip, look, hint.work);
   return is_found ? stretches_[hint.piece].move : kNone;
 }
 
@@ -214,11 +280,12 @@ bool CutterSweep::may_reach(const SidedPiece& piece, double lift_mm, double deep
   const auto behind = [&](const Pose& pose, const CompiledTool& cutter) {
     return piece.outward.dot(middle - up - pose.tip - cutter.core.y() * pose.axis);
   };
-  // The deepest point is a point of the cutter, so it moves no farther than spread_mm.
-  const auto are_behind = [&](const Node& node) {
-    return behind(node.middle, *stretches_[node.first].cutter) > radius + node.spread_mm;
+  const Corners from_middle = {corners[0] - middle, corners[1] - middle, corners[2] - middle};
+  // The deepest point moves as far as the tip, plus its distance from the tip times the turn.
+  const auto skip = [&](const Core& core, const CutterStretch& of) {
+    const double moved_mm = core.half_way_mm + core.beside_mm + std::abs(of.cutter->core.y()) * core.turn_rad;
+    return behind(core.middle, *of.cutter) > radius + moved_mm || is_beyond(core, of, middle, -deep_mm, &from_middle);
   };
-  const std::array<Vec3, 3> from_middle = {corners[0] - middle, corners[1] - middle, corners[2] - middle};
   const auto look = [&](std::uint32_t i) {
     const CutterStretch& stretch = stretches_[i];
     if (std::min(behind(stretch.start, *stretch.cutter), behind(stretch.end, *stretch.cutter)) > radius) return false;
@@ -230,7 +297,7 @@ bool CutterSweep::may_reach(const SidedPiece& piece, double lift_mm, double deep
   };
   return (hint.piece < stretches_.size() && look(hint.piece)) ||
          visit(
-             0, {&middle, 1}, [&] { return radius - deep_mm; }, are_behind, look, hint.work);
+             0, {&middle, 1}, [&] { return radius - deep_mm; }, skip, look, hint.work);
 }
 
 }  // namespace gouge

@@ -64,28 +64,39 @@ class CutterSweep {
   [[nodiscard]] double min_radius_mm() const { return min_radius_mm_; }
 
  private:
+  /// Poses around a middle one: the tip is within beside_mm of a straight way, and the axis turns by at most turn_rad.
+  struct Core {
+    Pose middle;
+    Vec3 half_way = Vec3::Zero();  ///< the way leads from the middle by this, forward and back
+    double half_way_mm = 0;        ///< its length
+    double beside_mm = 0;          ///< infinite for several cutters
+    double turn_rad = 0;
+  };
   struct Node {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-    /// A pose of the node. At every instant of the node, each point of the cutter is within spread_mm of its place at
-    /// this pose.
-    Pose middle;
-    double spread_mm = 0;               ///< infinite if the node has several cutters
+    Core core;                          ///< surrounds all poses of the node
     std::uint32_t first = 0, last = 0;  ///< range of stretches
     std::uint32_t second = 0;           ///< index of the second half; the first half is the next node; 0: a leaf
   };
 
+  [[nodiscard]] static Core core_of(const CutterStretch& stretch);
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
-  void surround(Node& node) const;
+  void surround(std::uint32_t node);
   [[nodiscard]] double away_mm(const Node& node, std::span<const Vec3> points) const;
-  /// Returns whether a point is certainly more than `within_mm` outside the cutter at all instants of the node.
-  [[nodiscard]] bool is_beyond(const Node& node, const Vec3& point, double within_mm) const;
+  /// The corners of a triangle relative to a point in it.
+  using Corners = std::array<Vec3, 3>;
+  /// Returns whether a point is certainly more than `within_mm` outside the cutter at all poses around the core. `of` is a
+  /// stretch of the same cutter. With `corners`, the whole triangle about the point is.
+  [[nodiscard]] static bool is_beyond(const Core& core, const CutterStretch& of, const Vec3& point, double within_mm,
+                                      const Corners* corners = nullptr);
   /// Calls `look(stretch)`, the nearer half of a node first, until it returns true. Visits stretches that may be within
-  /// `within()` of all `points`, except those that `skip(node)` excludes.
+  /// `within()` of all `points`, except those around which `skip(core, stretch)` excludes all poses.
   template <typename Within, typename Skip, typename Look>
   bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Skip& skip, const Look& look,
              std::size_t& work) const;
 
   std::vector<CutterStretch> stretches_;
+  std::vector<Core> cores_;  // of the stretches
   std::vector<Node> nodes_;
   bool is_convex_ = true;
   double min_radius_mm_ = std::numeric_limits<double>::infinity();

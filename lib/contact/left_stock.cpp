@@ -129,12 +129,20 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     const Vec3 middle = middle_of(at);
     double radius = 0;
     for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
-    if (is_gouged(candidate, middle, radius) || is_covered(candidate, threshold)) return false;
+    if (is_gouged(candidate, middle, radius)) return false;
+    const bool is_rim_likely = was_at_rim_;
+    if (is_rim_likely && is_at_rim(candidate, middle, radius)) return false;
     // A piece that is too large to be covered by the cut at its middle needs only a larger rest there.
     const double covering = threshold - radius, left = is_found() ? left_->thickness_mm : limits_.allowed_mm;
     const double enough = covering > 0 ? covering : left;
     const double away = away_from_cuts(candidate, middle, enough);
-    if (away <= covering) return false;
+    // A cutter that covers the piece covers its middle too.
+    if (away <= covering || (away <= threshold && is_covered(candidate, threshold))) {
+      was_at_rim_ = false;
+      return false;
+    }
+    was_at_rim_ = !is_rim_likely && is_at_rim(candidate, middle, radius);
+    if (was_at_rim_) return false;
     candidate.upper_mm = std::min(candidate.upper_mm, away + radius);
     if (away <= left) return true;
     const Vec3 finished = middle + limits_.finished_mm * at.outward;
@@ -145,11 +153,12 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return true;
   }
 
-  /// Returns whether all of a piece was gouged, or lies at the rim of a gouge. There the cutter went through the
-  /// surface, so stock that a path without the gouge leaves there was never finished.
+  /// Returns whether the middle of a piece was gouged so deep that all of the piece was, or that all of it lies at the rim
+  /// of the gouge. There the cutter went through the surface, so stock that a path without the gouge leaves there was
+  /// never finished.
   [[nodiscard]] bool is_gouged(Candidate& candidate, const Vec3& middle, double radius_mm) const {
-    return is_deeper(middle, limits_.finished_mm + radius_mm + kSure_mm, candidate.gouged) ||
-           is_at_rim(candidate, middle, radius_mm);
+    const double gouged = limits_.finished_mm + kSure_mm;
+    return is_deeper(middle, radius_mm <= rim_mm_ ? gouged : gouged + radius_mm, candidate.gouged);
   }
 
   /// Returns whether a gouged place is within the rim's width of every point that is within `radius_mm` of the middle.
@@ -202,17 +211,12 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
 
   /// Returns the distance of a surface point from the nearest cut; `lower_cutoff_mm` if it is not more than that.
   [[nodiscard]] double away_from_cuts(Candidate& candidate, const Vec3& point, double lower_cutoff_mm) const {
-    const bool is_enough = is_true_of_any(candidate, [&](std::size_t i) {
-      return after_[i]->distance(point, lower_cutoff_mm, lower_cutoff_mm + kBeyond_mm, candidate.nearest[i]) <=
-             lower_cutoff_mm;
-    });
-    if (is_enough) return lower_cutoff_mm;
     double least = limits_.max_mm;
-    for (std::size_t i = 0; i < after_.size(); ++i) {
-      if (after_[i] != nullptr)
-        least = std::min(least, after_[i]->distance(point, lower_cutoff_mm, least, candidate.nearest[i]));
-    }
-    return std::max(least, 0.0);
+    const bool is_enough = is_true_of_any(candidate, [&](std::size_t i) {
+      least = std::min(least, after_[i]->distance(point, lower_cutoff_mm, least, candidate.nearest[i]));
+      return least <= lower_cutoff_mm;
+    });
+    return is_enough ? lower_cutoff_mm : std::max(least, 0.0);
   }
 
   const BlockTree& parts_;
@@ -225,6 +229,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   double undecided_mm_ = 0;
   Vec3 undecided_ = Vec3::Zero();
   std::size_t work_ = 0, work_until_left_ = 0;
+  bool was_at_rim_ = false;  // how the last piece ended; the next one often ends in the same way
 };
 
 /// A source of pieces for a search: the pieces of all triangles that cutters of `before` may finish.

@@ -19,8 +19,8 @@ struct LeftStock {
   std::size_t move = kNone;   ///< the motion that finished the point
 };
 
-/// Default work: some tenths of a second of one processor.
-inline constexpr std::size_t kUsualStockWork = 1'000'000;
+/// Default work: some hundredths of a second of one processor.
+inline constexpr std::size_t kUsualStockWork = 320'000;
 
 struct StockLimits {
   double finished_mm = 0;                  ///< surface that is cut to this height above it, or lower, is finished

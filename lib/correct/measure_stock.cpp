@@ -14,9 +14,9 @@
 namespace gouge {
 namespace {
 
-// Budget of all stretches together, a few tenths of a CPU second: a report on a correction must not cost more than the
+// Budget of all stretches together, about a tenth of a CPU second: a report on a correction must not cost more than the
 // correction.
-constexpr std::size_t kMaxWork = 2'000'000, kWorkPerMove = 20;
+constexpr std::size_t kMaxWork = 1'400'000, kWorkPerMove = 14;
 
 class Measurer {
  public:

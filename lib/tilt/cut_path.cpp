@@ -11,7 +11,7 @@ namespace {
 
 // Maximum work for the amount of stock left. A tilt is refused because too much is left; the amount only appears in the
 // reason.
-constexpr std::size_t kWorkOnceLeft = 200'000;
+constexpr std::size_t kWorkOnceLeft = 60'000;
 
 }  // namespace
 
