@@ -23,7 +23,7 @@ class Settling {
   void enter(const StockFinding& finding) {
     MoveVerdict& verdict = result_.verdicts[finding.move];
     if (finding.witness) result_.stock->contacts.push_back(contact_of(finding));
-    if (!is_free(verdict)) return;
+    if (!is_free(verdict)) return add_to_gouge(verdict, about(finding));
     if (!finding.witness) {
       verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), finding.unknown, finding.body);
       if (finding.body == Body::head && is_turn_open(finding.move))
@@ -37,14 +37,36 @@ class Settling {
 
   void leave_open(std::size_t move) {
     MoveVerdict& verdict = result_.verdicts[move];
-    if (!is_free(verdict)) return;
+    const Reason why{Reason::Kind::stock_motion_open, Body::cutter};
+    if (!is_free(verdict))
+      return add_to_gouge(verdict, {Reason::Kind::stock_open_too, Body::cutter, 0, reason_text(why)});
     verdict = open(std::numeric_limits<double>::infinity(), {}, Body::cutter);
-    verdict.reason = {Reason::Kind::stock_motion_open, Body::cutter};
+    verdict.reason = why;
   }
 
  private:
   static bool is_free(const MoveVerdict& verdict) {
     return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
+  }
+
+  /// Adds to the gouge of a part or a fixture what the move has besides. So no acceptance of the gouge hides it.
+  static void add_to_gouge(MoveVerdict& verdict, const Reason& besides) {
+    if (verdict.state != MoveState::gouge) return;
+    const std::string limit = reason_text(verdict.reason);
+    const std::string detail = std::string(besides.detail()) + (limit.empty() ? "" : "; " + limit);
+    verdict.reason = {besides.kind, besides.body, besides.amount(), detail};
+  }
+
+  /// Returns the remark about a finding in a move that gouges a part or a fixture. Its amount is the depth.
+  [[nodiscard]] Reason about(const StockFinding& finding) const {
+    if (!finding.witness) {
+      const MoveVerdict undecided = open(0, finding.unknown, finding.body);
+      return {Reason::Kind::stock_open_too, finding.body, 0, reason_text(undecided.reason)};
+    }
+    const double depth_mm = finding.witness->depth_mm;
+    return {Reason::Kind::stock_met_too, finding.body, depth_mm,
+            display_text(depth_mm, kLengthDecimals) + " mm (at most " +
+                display_text(finding.depth_upper_mm, kLengthDecimals) + " mm), " + evidence(finding)};
   }
 
   /// Returns whether the law leaves open how a head is turned about the tool axis.

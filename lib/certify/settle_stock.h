@@ -64,8 +64,8 @@ class StockHistory {
                                       std::span<const IndexedMesh> parts, const std::string& file);
 
 /// Checks a path against its remaining stock and enters the result into its verdicts. A clean move that meets stock
-/// becomes a gouge against the stock, and one for which that is open is not certified. The verdict of a move that gouges
-/// a part or a fixture stays. If asked, enters the material that is left on the parts; it changes no verdict of a move.
+/// becomes a gouge against the stock, and one for which that is open is not certified. A move that gouges a part or a
+/// fixture keeps its verdict, with the stock as a remark (Reason::is_stock_besides). If asked, enters the material that is left on the parts; it changes no verdict of a move.
 ///
 /// Requires a verdict for each move. The events and counts of the result must be computed anew (summarise).
 /// Returns what was found for each move.

@@ -54,6 +54,8 @@ constexpr std::array kTexts{
     Text{Reason::Kind::stock_touched,
          "whether stock is still {in head} is not known: a tool touched it before without cutting it for certain"},
     Text{Reason::Kind::stock_motion_open, "it is not checked against the stock: its motion, or its tool, is not known"},
+    Text{Reason::Kind::stock_met_too, "the {body} is in remaining stock too: {detail}"},
+    Text{Reason::Kind::stock_open_too, "it may be in remaining stock too: {detail}"},
     Text{Reason::Kind::clearance_entered, "the clearance of the {body} is entered by {mm} mm"},
     Text{Reason::Kind::mesh_clearance_entered, "the {body} enters the clearance of this mesh by {mm} mm"},
     Text{Reason::Kind::mesh_tolerance_exceeded, "the {body} is {mm} mm deep, beyond the tolerance of this mesh"},

@@ -36,6 +36,8 @@ struct Reason {
     stock_unknown,            ///< what the motion at `detail` (a line) removed of the stock is not known
     stock_touched,            ///< a tool touched the remaining stock, which it may have removed
     stock_motion_open,        ///< the law states no single motion, so it is not checked against the stock
+    stock_met_too,            ///< of a gouge: `body` meets remaining stock too; `detail` has how deep and when
+    stock_open_too,           ///< of a gouge: whether the move meets remaining stock too is open; `detail` has why
     clearance_entered,        ///< the clearance of `body` is entered by `amount` mm
     mesh_clearance_entered,   ///< the clearance of the witness's mesh is entered by `body`, by `amount` mm
     mesh_tolerance_exceeded,  ///< the tolerance of the witness's mesh is exceeded: `body` is `amount` mm deep
@@ -55,8 +57,11 @@ struct Reason {
     return facts_ ? std::string_view(facts_->detail) : std::string_view();
   }
   [[nodiscard]] bool is(Kind of) const { return kind == of; }
-  /// Returns whether the reason is a limit that a gouge exceeded; such a reason leaves nothing undecided.
+  /// Returns whether the reason is a limit that a gouge exceeded; such a reason leaves nothing undecided, and the move has
+  /// no other contact.
   [[nodiscard]] bool names_limit() const { return kind >= Kind::clearance_entered; }
+  /// Returns whether a gouge of a part or a fixture has stock besides, or may have.
+  [[nodiscard]] bool is_stock_besides() const { return kind == Kind::stock_met_too || kind == Kind::stock_open_too; }
   [[nodiscard]] bool is_same(const Reason& other) const {
     return kind == other.kind && body == other.body && !(amount() < other.amount()) && !(other.amount() < amount()) &&
            detail() == other.detail();

@@ -247,8 +247,8 @@ class Accepter {
         return "the depth of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
                ") is not certified to the resolution";
       if (!move->reason.empty() && !is_text_of_limit(move->reason))
-        return "of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
-               ") more is open: " + move->reason;
+        return "move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
+               ") has more than this gouge: " + move->reason;
     }
     return std::nullopt;
   }

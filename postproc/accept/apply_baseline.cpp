@@ -202,10 +202,6 @@ class Baseline {
     MoveAnswer answer;
     answer.why_not = line + " was not accepted";
     if (move.motion.empty()) return answer;
-    if (!move.open.empty()) {
-      answer.why_not = line + " leaves more open: " + move.open;
-      return answer;
-    }
     if (const auto voided = void_.find({move.motion, finding.body, finding.against}); voided != void_.end()) {
       answer.of_motion = voided->second;
       answer.why_not = line + " was accepted, but " + facts_.entries[*voided->second.begin()].why;
@@ -214,6 +210,10 @@ class Baseline {
     if (found == slots_.end()) return answer;
     Slot& slot = found->second;
     for (const Offer& offer : slot.offers) answer.of_motion.insert(offer.entry);
+    if (!move.open.empty()) {
+      answer.why_not = line + " has more than this gouge: " + move.open;
+      return answer;
+    }
     answer.why_not = line + " gouges more often than was accepted";
     if (slot.used >= slot.passes) return answer;
     if (Offer* const offer = find_offer(slot, finding, move, line, answer.why_not)) {

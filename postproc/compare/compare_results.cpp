@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/check/reason.h"
 #include "lib/path/toolpath.h"
 #include "postproc/compare/judge_absence.h"
 #include "postproc/compare/match_findings.h"
@@ -55,6 +56,7 @@ struct Widening {
   std::size_t fresh = 0;    ///< the same motion did not gouge before
   std::size_t unknown = 0;  ///< the same motion was not decided before
   std::size_t buried = 0;   ///< the same motion gouged before, and the tool is buried now
+  std::size_t stock = 0;    ///< the motion meets remaining stock besides, or may meet it, which it did not before
   std::size_t far = 0;      ///< other motions than before, whose deepest points are far from those before
 
   /// Returns the number to which a move belongs whose motion had another state before; `then` is null if it was clean.
@@ -71,6 +73,9 @@ struct Widening {
       add(count_text(unknown, "motion gouges", "motions gouge") + " that " + (unknown == 1 ? "was" : "were") +
           " not checked or not certified before");
     if (buried > 0) add("the tool is buried in " + count_text(buried, "motion") + " that gouged before");
+    if (stock > 0)
+      add(count_text(stock, "motion is", "motions are") +
+          " in remaining stock too, or may be, which was not so before");
     if (far > 0)
       add("more motions gouge than before; " + std::to_string(far) + " of them " +
           (far == 1 ? "has its deepest point" : "have their deepest points") + " more than " +
@@ -142,11 +147,19 @@ class Comparer {
     std::string of_one_move;  // a move that became deeper although the finding as a whole did not
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
+    const bool had_stock = std::ranges::any_of(was, [&](std::size_t k) {
+      return std::ranges::any_of(before_.moves_of(before_.findings[k]), [](auto* move) { return has_stock(*move); });
+    });
     for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
       const DepthBounds depth = depth_of(*move);
       now.low = std::max(now.low, depth.low);
       now.high = std::max(now.high, depth.high);
       const std::size_t other = motions_.after_to_before[move->move];
+      const MoveRecord* same = other == kNone ? nullptr : before_.find_move(other);
+      if (has_stock(*move) && !(other == kNone ? had_stock : same != nullptr && has_stock(*same))) {
+        made.change = Change::deeper;
+        ++wider.stock;
+      }
       if (other == kNone) {
         if (is_above(depth.low, old.high) || is_above(overcut_of(*move).low, old_overcut_upper))
           made.change = Change::deeper;
@@ -211,6 +224,12 @@ class Comparer {
     std::size_t count = 0;
     for (const MoveRecord* move : result.moves_of(finding)) count += move->move >= first && move->move < end ? 1U : 0U;
     return count;
+  }
+
+  /// Returns whether a gouge of a part or a fixture has stock besides, or may have: its only remark that is no limit.
+  [[nodiscard]] static bool has_stock(const MoveRecord& move) {
+    return move.state == MoveState::gouge && move.witness && move.witness->against != Against::stock &&
+           !move.reason.empty() && !is_text_of_limit(move.reason);
   }
 
   // Compares one motion in both runs; `then` is null if it was clean.

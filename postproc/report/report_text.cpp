@@ -277,6 +277,25 @@ std::string event_name(const ReportModel& model, const Event& event) {
   return std::string(body_name(event.body)) + " in stock";
 }
 
+// Returns the remark about stock of the move of a finding that is deepest in it; empty if none has one.
+static std::string stock_besides(const CheckResult& result, const Event& event) {
+  if (event.state != MoveState::gouge) return {};
+  const Reason* worst = nullptr;
+  std::size_t moves = 0, of = 0;
+  for (std::size_t move = event.first_move; move <= event.last_move; ++move) {
+    const Reason& reason = result.verdicts[move].reason;
+    if (!reason.is_stock_besides()) continue;
+    ++moves;
+    if (worst != nullptr && reason.amount() <= worst->amount()) continue;
+    worst = &reason;
+    of = move;
+  }
+  if (worst == nullptr) return {};
+  const std::string where =
+      event.moves == 1 ? "" : count_text(moves, "move") + ", the worst is move " + std::to_string(of) + ": ";
+  return "; " + where + reason_text(*worst);
+}
+
 std::string event_text(const ReportModel& model, const Event& event) {
   const LengthUnit unit = model.toolpath->unit;
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
@@ -295,7 +314,8 @@ std::string event_text(const ReportModel& model, const Event& event) {
   if (!verdict.witness) return text + move;
   text += counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +
           " t=" + instant_text(verdict.witness->t);
-  return verdict.reason.is(Reason::Kind::stock_met) ? text + ", " + reason_text(verdict.reason) : text;
+  if (verdict.reason.is(Reason::Kind::stock_met)) return text + ", " + reason_text(verdict.reason);
+  return text + stock_besides(*model.result, event);
 }
 
 std::string span_text(const Event& event) {
