@@ -26,7 +26,7 @@
 
 namespace gouge {
 
-inline constexpr const char* kProgramVersion = "0.1.0";
+inline constexpr const char* kProgramVersion = "1.0.0";
 
 /// Describes an input file, so that a reader of the report can identify it.
 [[nodiscard]] InputFile describe_input(std::string role, std::string name, std::string_view bytes);

@@ -86,6 +86,24 @@ TEST(Repository, EverySourceBelowCliLiesInAModule) {
   }
 }
 
+TEST(Repository, HasOneVersion) {
+  const fs::path root = source_folder();
+  std::smatch found;
+  const std::string build = text_of(root / "CMakeLists.txt");
+  ASSERT_TRUE(std::regex_search(build, found, std::regex(R"(project\(gougecheck VERSION (\d+\.\d+)\.(\d+))")));
+  const std::string minor = found[1], version = minor + "." + std::string(found[2]);
+  const std::map<std::string, std::string> stated = {
+      {"cli/library/gougecheck/version.h", "GOUGECHECK_VERSION_STRING \"" + version + "\""},
+      {"cli/library/exports.map", "GOUGECHECK_" + minor + " {"},
+      {"cli/python/pyproject.toml", "version = \"" + version + "\""},
+      {"postproc/report/report_model.h", "kProgramVersion = \"" + version + "\""},
+      {"docs/CHANGELOG.md", "\n## " + version},
+      {"docs/guide/install.md", "libgougecheck" + minor},
+      {"docs/guide/library.md", "libgougecheck.so." + minor}};
+  for (const auto& [file, words] : stated)
+    EXPECT_NE(text_of(root / file).find(words), std::string::npos) << file << ": expected " << words;
+}
+
 TEST(Repository, ModulesImportOneWay) { EXPECT_EQ(listed(check_modules(modules())), ""); }
 TEST(Repository, IncludesKeepToTheImports) { EXPECT_EQ(listed(check_includes(repository(), modules())), ""); }
 TEST(Repository, PartsOfAVerdictAreClosedToAllWhoCouldForgetTheOthers) {
