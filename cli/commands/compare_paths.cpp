@@ -30,6 +30,15 @@ Diagnostics find_nothing_to_compare(const std::vector<Toolpath>& paths) {
   return errors;
 }
 
+/// Rewrites an error of NEW on its unit. An option that holds for both files may be right for OLD alone.
+void explain_unit_of_new(const CompareArguments& arguments, Diagnostic& error) {
+  const bool is_of_both = !arguments.reading.units.empty() && arguments.of_new.reading.units.empty();
+  if (is_of_both)
+    error.message += "; it is given for both files: give --new-path-units with the unit of this one too";
+  else
+    error = with_options_of_new(error);
+}
+
 /// Reads OLD and NEW into `paths`, and prints their notes. Returns the errors.
 Diagnostics read_both(const CompareArguments& arguments, std::ostream& err, std::vector<Toolpath>& paths) {
   const ProgramReading facts_of_new = reading_of_new(arguments, arguments.of_new);
@@ -42,7 +51,10 @@ Diagnostics read_both(const CompareArguments& arguments, std::ostream& err, std:
     ReadOutcome outcome = (is_new ? *new_reader : *old_reader).read(is_new ? arguments.after : arguments.before);
     if (!outcome.toolpath) {
       for (Diagnostic& error : outcome.errors)
-        if (is_new && is_control_stated && error.code == "gcode-control") error = with_options_of_new(error);
+        if (is_new && error.code == "path-unit")
+          explain_unit_of_new(arguments, error);
+        else if (is_new && is_control_stated && error.code == "gcode-control")
+          error = with_options_of_new(error);
       return outcome.errors;
     }
     print(err, outcome.toolpath->notes);

@@ -1,6 +1,7 @@
 #include "postproc/compare/path_comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lib/base/number_text.h"
@@ -144,9 +145,29 @@ Json order_json(const PathComparison& c) {
   return order;
 }
 
-std::string relation_text(const PathRelation& relation) {
-  if (relation.factor > 1) return row("relation", "NEW is OLD times 25.4: one is read in a wrong unit (--path-units)");
-  if (relation.factor < 1) return row("relation", "OLD is NEW times 25.4: one is read in a wrong unit (--path-units)");
+/// Returns how a file states its unit, such as "a.nc:3 states inches (G20)"; empty if it states none.
+std::string unit_statement(const Toolpath& path) {
+  const auto fact = std::ranges::find(path.assumptions, Subject::path_unit, &Assumption::subject);
+  const bool is_stated = fact != path.assumptions.end() && fact->basis == Basis::stated && fact->line > 0;
+  if (!is_stated) return {};
+  return path.file + ":" + std::to_string(fact->line) + " states " + (path.unit == LengthUnit::inch ? "inches" : "mm") +
+         " (" + fact->evidence + ")";
+}
+
+/// Explains a factor between two paths. A unit on the command line is no remedy for a file that states its own.
+std::string factor_text(const PathComparison& c) {
+  const std::string found = c.relation->factor > 1 ? "NEW is OLD times 25.4: " : "OLD is NEW times 25.4: ";
+  const std::string before = unit_statement(*c.before), after = unit_statement(*c.after);
+  if (!before.empty() && !after.empty())
+    return found + before + ", " + after + "; one of the files was written in a wrong unit";
+  if (before.empty() && after.empty()) return found + "one is read in a wrong unit (--path-units, --new-path-units)";
+  return found + (before.empty() ? after : before) + ", and " + (before.empty() ? "OLD" : "NEW") + " states no unit (" +
+         (before.empty() ? "--path-units" : "--new-path-units") + ")";
+}
+
+std::string relation_text(const PathComparison& c) {
+  const PathRelation& relation = *c.relation;
+  if (std::abs(relation.factor - 1) > 0) return row("relation", factor_text(c));
   std::string shift;
   for (int k = 0; k < 3; ++k) shift += (k > 0 ? ", " : "") + display_text(relation.shift_mm[k], kDecimals);
   return row("relation", "NEW is OLD shifted by (" + shift + ") mm: compare offsets, tool lengths and origins");
@@ -199,7 +220,7 @@ std::string comparison_text(const PathComparison& c) {
   return difference_text(c.forward, kForward, *c.before, *c.after) +
          difference_text(c.backward, kBackward, *c.after, *c.before) +
          left_out_rows(c.out_of_before, kForward, *c.before) + left_out_rows(c.out_of_after, kBackward, *c.after) +
-         order_row(c) + (c.relation ? relation_text(*c.relation) : std::string()) + verdict_text(c);
+         order_row(c) + (c.relation ? relation_text(c) : std::string()) + verdict_text(c);
 }
 
 std::string comparison_json(const PathComparison& c) {

@@ -73,10 +73,44 @@ TEST_F(ComparePaths, AReadingInAnotherUnitOrPlaceIsExplained) {
   write("higher.apt", "MM", "1.5");
   const Outcome unit = shop_.run({"compare", "--paths", "inch.apt", "mm.apt", "--json", "c.json"});
   EXPECT_EQ(unit.exit_status, 1);
-  EXPECT_NE(unit.out.find("OLD is NEW times 25.4: one is read in a wrong unit"), std::string::npos) << unit.out;
+  expect_text(unit.out,
+              "OLD is NEW times 25.4: inch.apt:1 states inches (UNITS/INCHES), mm.apt:1 states mm (UNITS/MM); one of "
+              "the files was written in a wrong unit\n");
+  EXPECT_EQ(unit.out.find("--path-units"), std::string::npos) << unit.out;
   EXPECT_EQ(shop_.json("c.json").at("relation").at("factor"), 1 / 25.4);
   const Outcome place = shop_.run({"compare", "--paths", "mm.apt", "higher.apt"});
   EXPECT_NE(place.out.find("NEW is OLD shifted by (0, 0, 0.5) mm"), std::string::npos) << place.out;
+}
+
+TEST_F(ComparePaths, AUnitOfTheCommandLineIsAdvisedForFilesThatStateNone) {
+  const std::string positions = "GOTO/0,0,1\nGOTO/10,0,1\nGOTO/10,7,1\nGOTO/3,2,1\nFINI\n";
+  shop_.write("none.apt", positions);
+  shop_.write("inch.apt", "UNITS/INCHES\n" + positions);
+  expect_text(
+      compare({"none.apt", "inch.apt"}).out,
+      "NEW is OLD times 25.4: inch.apt:1 states inches (UNITS/INCHES), and OLD states no unit (--path-units)\n");
+  expect_text(compare({"inch.apt", "none.apt"}).out, "and NEW states no unit (--new-path-units)\n");
+  expect_text(compare({"none.apt", "none.apt", "--new-path-units", "inch"}).out,
+              "NEW is OLD times 25.4: one is read in a wrong unit (--path-units, --new-path-units)\n");
+  const Outcome both = compare({"none.apt", "inch.apt", "--path-units", "mm"});
+  EXPECT_EQ(both.exit_status, 3);
+  expect_text(both.err, "inch.apt:1: error: the file states inches");
+  expect_text(both.err, "it is given for both files: give --new-path-units with the unit of this one too");
+  EXPECT_EQ(compare({"none.apt", "inch.apt", "--path-units", "inch"}).exit_status, 0);
+  const Outcome alone = compare({"none.apt", "inch.apt", "--new-path-units", "mm"});
+  EXPECT_EQ(alone.exit_status, 3);
+  expect_text(alone.err, "expected --new-path-units only for files that state none");
+}
+
+TEST_F(ComparePaths, AUnitOfTheCommandLineDoesNotContradictAProgram) {
+  shop_.write("a.apt", "UNITS/MM\nGOTO/10,10,40\nGOTO/10,10,1\nFINI\n");
+  shop_.write("a.nc", kProgramHead + "M30\n%\n");
+  const Outcome ran =
+      compare({"a.apt", "a.nc", "--new-control", "fanuc", "--new-offset", "G54=0,0,0", "--new-path-units", "inch"});
+  EXPECT_EQ(ran.exit_status, 3);
+  expect_text(ran.err,
+              "a.nc:3: error: the program states mm (G21), the command line another unit; expected "
+              "--new-path-units only for files that state none [path-unit]");
 }
 
 /// A plunge, a cut and a retract; `before_cut` and `before_retract` may make rapids of the last two.

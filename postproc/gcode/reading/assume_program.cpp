@@ -10,8 +10,11 @@ Assumption unit_of_program(const Toolpath& path, const GcodeOptions& options, co
   fact.remedy = "give --path-units mm or --path-units inch";
   if (facts.has_assumed_unit) {
     fact.basis = Basis::unknown;
-    fact.evidence = facts.unit_line > 0 ? "lengths stand before the block that states their unit; mm was taken"
-                                        : "the program states no unit; mm was taken";
+    fact.evidence = "the program states no unit; mm was taken";
+    if (facts.unit_line > 0) {
+      fact.evidence = "lengths stand before the block that states their unit; mm was taken";
+      fact.remedy = "give the unit at the start: --start G21 or G20";
+    }
   } else if (facts.unit_line > 0) {
     fact.basis = Basis::stated;
     fact.evidence = facts.unit_word;

@@ -138,6 +138,23 @@ std::optional<Diagnostic> find_wrong_start(const Toolpath& path, const std::stri
                                  "': " + wrong->first.substr(kOfStart.size()));
 }
 
+/// Finds a unit of the command line that the program, or the blocks in force at its start, contradict. Otherwise the
+/// option would have no effect, and the user would not see it.
+std::optional<Diagnostic> find_other_unit(const Toolpath& path, const GcodeOptions& options,
+                                          const ProgramFacts& facts) {
+  if (!options.unit || *options.unit == path.unit) return std::nullopt;
+  const std::string unit = path.unit == LengthUnit::inch ? "inches" : "mm";
+  constexpr const char* kOther = ", the command line another unit; expected --path-units only for ";
+  if (facts.unit_line == 0)
+    return make_error("path-unit",
+                      "the blocks in force at the start (--start, or start of the machine) state " + unit + kOther +
+                          "programs whose unit nothing states",
+                      path.file);
+  return make_error("path-unit",
+                    "the program states " + unit + " (" + facts.unit_word + ")" + kOther + "files that state none",
+                    path.file, facts.unit_line);
+}
+
 /// Describes why no motion of a program can be checked: the reason of its first move, else its last note.
 Diagnostic describe_no_motion(const Toolpath& path, const ProgramMotion& motion) {
   std::string reason = "no block moves an axis";
@@ -218,6 +235,7 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   motion.finish();
   if (facts.error) return {std::nullopt, {*facts.error}};
   if (auto error = find_wrong_start(path, options.setup.start)) return {std::nullopt, {std::move(*error)}};
+  if (auto error = find_other_unit(path, options, facts)) return {std::nullopt, {std::move(*error)}};
   if (!motion.is_rest_unknown()) note_blocks_not_run(motion.has_run(), path);
   if (!has_checked_move(path)) return {std::nullopt, {describe_no_motion(path, motion)}};
   const bool is_in_part = options.setup.zero && options.setup.offsets.contains(motion.part_offset());

@@ -96,7 +96,7 @@ ProgramFacts run_siemens(const ProgramInput& input) {
   run.run();
   ProgramFacts facts;
   facts.unit_line = runner.unit_line();
-  facts.unit_word = input.path.unit == LengthUnit::inch ? "G70" : "G71";
+  facts.unit_word = runner.unit_word();
   facts.offset_line = runner.offset_line();
   facts.end_line = run.end_line();
   facts.error = runner.error();

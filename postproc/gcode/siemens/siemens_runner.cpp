@@ -129,9 +129,12 @@ void SiemensRunner::take_mode(const SiemensWords::Code& code) {
 
 void SiemensRunner::take_unit(LengthUnit unit, const std::string& word) {
   if (modes_.has_places_without_unit)
-    return lose_rest(word + " states the unit, and positions stand before it; expected --path-units", line_);
+    return lose_rest(
+        word + " states the unit, and positions stand before it; expected the unit at the start: --start G71 or G70",
+        line_);
   if (unit_line_ == 0) {
     unit_line_ = line_;
+    unit_word_ = word;
     input_.path.unit = unit;
   }
   // A basic system of the other unit changes what feeds mean, never what lengths mean.
