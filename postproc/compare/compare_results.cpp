@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -49,6 +50,32 @@ DepthBounds depth_of(const MoveRecord& move) {
 DepthBounds overcut_of(const MoveRecord& move) {
   if (!move.overcut_mm) return {0, kAny_mm};
   return {*move.overcut_mm, move.overcut_upper_mm.value_or(kAny_mm)};
+}
+
+/// Bounds of the depths and overcuts of several motions: the largest ones.
+struct Largest {
+  DepthBounds depth, overcut;
+
+  void add(const MoveRecord& move) {
+    const auto extend = [](DepthBounds& all, const DepthBounds& one) {
+      all.low = std::max(all.low, one.low);
+      all.high = std::max(all.high, one.high);
+    };
+    extend(depth, depth_of(move));
+    extend(overcut, overcut_of(move));
+  }
+};
+
+/// Returns "line 6 is 2.000 mm deep, 1.000 mm before".
+std::string deepening_text(const MoveRecord& now, double before_mm, LengthUnit unit) {
+  const std::string line = "line " + std::to_string(now.line), before = depth_text(before_mm, unit);
+  if (now.state == MoveState::buried) return "in " + line + " the tool is buried, it was " + before + " deep before";
+  return line + " is " + depth_text(depth_of(now).low, unit) + " deep, " + before + " before";
+}
+
+/// Returns "the overcut is 6.000 mm, 5.000 mm before".
+std::string overcut_change(double now_mm, double before_mm, LengthUnit unit) {
+  return "the overcut is " + depth_text(now_mm, unit) + ", " + depth_text(before_mm, unit) + " before";
 }
 
 /// Numbers of the motions that make a finding wider.
@@ -134,26 +161,18 @@ class Comparer {
       made.change = Change::fresh;
       return made;
     }
-    DepthBounds old, now;
-    double old_overcut_upper = 0;
-    for (const std::size_t k : was) {
-      for (const MoveRecord* move : before_.moves_of(before_.findings[k])) {
-        old.low = std::max(old.low, depth_of(*move).low);
-        old.high = std::max(old.high, depth_of(*move).high);
-        old_overcut_upper = std::max(old_overcut_upper, overcut_of(*move).high);
-      }
-    }
+    Largest old, now;
+    for (const std::size_t k : was)
+      for (const MoveRecord* move : before_.moves_of(before_.findings[k])) old.add(*move);
     Widening wider;
-    std::string of_one_move;  // a move that became deeper although the finding as a whole did not
+    std::string deepening;  // of the first move that became deeper
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
     const bool had_stock = std::ranges::any_of(was, [&](std::size_t k) {
       return std::ranges::any_of(before_.moves_of(before_.findings[k]), [](auto* move) { return has_stock(*move); });
     });
     for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
-      const DepthBounds depth = depth_of(*move);
-      now.low = std::max(now.low, depth.low);
-      now.high = std::max(now.high, depth.high);
+      now.add(*move);
       const std::size_t other = motions_.after_to_before[move->move];
       const MoveRecord* same = other == kNone ? nullptr : before_.find_move(other);
       if (has_stock(*move) && !(other == kNone ? had_stock : same != nullptr && has_stock(*same))) {
@@ -161,8 +180,9 @@ class Comparer {
         ++wider.stock;
       }
       if (other == kNone) {
-        if (is_above(depth.low, old.high) || is_above(overcut_of(*move).low, old_overcut_upper))
-          made.change = Change::deeper;
+        const std::string deeper = why_deeper(*move, old);
+        if (!deeper.empty()) made.change = Change::deeper;
+        if (deepening.empty()) deepening = deeper;
         if (!is_there(places, *move) && has_grown(n, was, stretch_of(move->move, stretch))) {
           made.change = Change::deeper;
           ++wider.far;
@@ -172,18 +192,38 @@ class Comparer {
         const MoveRecord* then = before_.find_move(other);
         if (then == nullptr || then->state != move->state)
           ++wider.of(*move, then);
-        else if (of_one_move.empty() && is_above(depth.low, depth_of(*then).high))
-          of_one_move = "line " + std::to_string(move->line) + " is " + depth_text(depth.low, after_.record.unit) +
-                        " deep, " + depth_text(depth_of(*then).low, after_.record.unit) + " before";
+        else if (deepening.empty())
+          deepening = why_deeper(*move, {depth_of(*then), overcut_of(*then)});
       }
     }
     if (made.change == Change::deeper) {
       made.why = wider.text();
-      if (made.why.empty() && !is_above(now.low, old.high)) made.why = of_one_move;
+      if (!deepening.empty()) made.why += (made.why.empty() ? "" : "; ") + deepening;
       return made;
     }
-    if (now.high + options_.same_within_mm < old.low) made.change = Change::shallower;
+    made.why = why_shallower(now, old);
+    if (!made.why.empty()) made.change = Change::shallower;
     return made;
+  }
+
+  // Returns the reason for which a gouge is deeper than gouges before: its depth, else its overcut; empty if it is not.
+  [[nodiscard]] std::string why_deeper(const MoveRecord& now, const Largest& then) const {
+    const LengthUnit unit = after_.record.unit;
+    if (is_above(depth_of(now).low, then.depth.high)) return deepening_text(now, then.depth.low, unit);
+    const double overcut = overcut_of(now).low;
+    if (!is_above(overcut, then.overcut.high)) return {};
+    return "in line " + std::to_string(now.line) + " " + overcut_change(overcut, then.overcut.low, unit);
+  }
+
+  // Returns the reason for which a finding that is not deeper is shallower; empty if it is not.
+  [[nodiscard]] std::string why_shallower(const Largest& now, const Largest& old) const {
+    const LengthUnit unit = after_.record.unit;
+    if (is_above(old.depth.low, now.depth.high)) {
+      if (std::isinf(old.depth.low)) return "the tool was buried before";
+      return "the depth is " + depth_text(now.depth.low, unit) + ", " + depth_text(old.depth.low, unit) + " before";
+    }
+    if (!is_above(old.overcut.low, now.overcut.high)) return {};
+    return overcut_change(now.overcut.low, old.overcut.low, unit);
   }
 
   // Returns whether there was a gouge at the place of a move. For a buried tool no place is known, so the result is
@@ -236,7 +276,7 @@ class Comparer {
   [[nodiscard]] bool is_deeper(const MoveRecord& now, const MoveRecord* then) const {
     const bool was_found = then != nullptr && (then->state == MoveState::gouge || then->state == MoveState::buried);
     if (!was_found) return is_above(depth_of(now).low, before_.options.tolerance_mm + before_.options.resolution_mm);
-    return is_above(depth_of(now).low, depth_of(*then).high) || is_above(overcut_of(now).low, overcut_of(*then).high);
+    return !why_deeper(now, {depth_of(*then), overcut_of(*then)}).empty();
   }
 
   const StoredResult& before_;

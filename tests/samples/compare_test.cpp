@@ -33,6 +33,9 @@ class Compare : public testing::Test {
     return text;
   }
 
+  /// Reason of the first finding.
+  [[nodiscard]] std::string why() const { return shop_.json("changes.json").at("findings").at(0).at("why"); }
+
   SmallShop shop_;
   nlohmann::json counts_;
 };
@@ -105,8 +108,27 @@ TEST_F(Compare, DeeperAndShallowerAreOfTheirDepth) {
   EXPECT_EQ(counts(), "deeper 1");
   EXPECT_NE(deeper.out.find("deeper: 0.300 mm cutter T1"), std::string::npos) << deeper.out;
   EXPECT_NE(deeper.out.find("; 0.200 mm before"), std::string::npos) << deeper.out;
+  EXPECT_EQ(why(), "line 13 is 0.300 mm deep, 0.200 mm before");
   EXPECT_EQ(compare("b", "a").exit_status, 0);
   EXPECT_EQ(counts(), "shallower 1");
+  EXPECT_EQ(why(), "the depth is 0.200 mm, 0.300 mm before");
+}
+
+// The depth is at most the radius of the cutter, and the overcut grows with the plunge.
+TEST_F(Compare, DeeperAndShallowerMayBeOfTheOvercutAlone) {
+  shop_.check("a", path_text(stations({{40, -6}})));
+  shop_.check("b", path_text(stations({{40, -7}})));
+  const Outcome deeper = compare("a", "b", {"--html", "changes.html"});
+  EXPECT_EQ(deeper.exit_status, 1);
+  EXPECT_EQ(counts(), "deeper 1");
+  EXPECT_EQ(why(), "in line 13 the overcut is 7.000 mm, 6.000 mm before");
+  EXPECT_NE(deeper.out.find(why()), std::string::npos) << deeper.out;
+  EXPECT_NE(shop_.read("changes.html").find(why()), std::string::npos);
+  EXPECT_EQ(compare("b", "a").exit_status, 0);
+  EXPECT_EQ(counts(), "shallower 1");
+  EXPECT_EQ(why(), "the overcut is 6.000 mm, 7.000 mm before");
+  EXPECT_EQ(compare("b", "a", {"--same-within", "2"}).exit_status, 0);
+  EXPECT_EQ(counts(), "same 1");
 }
 
 // The middle is lifted out of the part, then it is back in it: one finding, two, one.
