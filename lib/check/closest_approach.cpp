@@ -1,7 +1,6 @@
 #include "lib/check/closest_approach.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -50,10 +49,10 @@ struct Distance {
   double min_mm = 0;   ///< proved lower bound
 };
 
-Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
+Distance distance_from_part(const Motion& motion, const ToolVariants& tool, const PreparedScene& scene) {
   const SearchTarget part = target_on(tool.*scene.workpiece().rule.form, scene.workpiece());
-  const SearchResult result = sweep_and_search(
-      MotionLaw::tool_at(pose), {part}, {{0, kAccuracy_mm, kAccuracy_mm, kApproachBudget}, ClosestApproach::kFar_mm});
+  const SearchResult result =
+      sweep_and_search(motion, {part}, {{0, kAccuracy_mm, kAccuracy_mm, kApproachBudget}, ClosestApproach::kFar_mm});
   const double seen =
       result.has_witness ? ClosestApproach::kFar_mm - result.value_mm : std::numeric_limits<double>::infinity();
   return {std::max(0.0, seen), std::max(0.0, ClosestApproach::kFar_mm - result.value_upper_mm)};
@@ -78,23 +77,18 @@ std::optional<double> if_near(double distance) {
   return distance <= ClosestApproach::kFar_mm ? std::optional(distance) : std::nullopt;
 }
 
-// Returns the smallest distance that the tool has within the chosen cuts: at three instants of each straight one whose tool
-// axis stays. Infinite if there is no such cut.
+// Returns the smallest distance that the tool has along the chosen cuts whose tool axis stays, so that the law of motion
+// does not matter. Infinite if there is no such cut.
 double nearest_within_cuts_mm(const Toolpath& toolpath, const std::vector<std::size_t>& chosen,
                               const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                               unsigned threads) {
-  constexpr std::array kInstants = {0.25, 0.5, 0.75};
   std::vector<double> nearest_mm(chosen.size(), std::numeric_limits<double>::infinity());
   for_each_chunk(chosen.size(), kPositionsPerChunk, threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const Move& move = toolpath.moves[chosen[k]];
-      if (!move.has_start || move.curve_kind != CurveKind::none) continue;
-      const Pose& start = toolpath.start_of(chosen[k]);
-      if (start.axis != move.end.axis) continue;
-      for (const double t : kInstants) {
-        const Pose between{start.tip + t * (move.end.tip - start.tip), start.axis};
-        nearest_mm[k] = std::min(nearest_mm[k], distance_from_part(between, *tools[move.tool], scene).seen_mm);
-      }
+      if (!move.has_start || toolpath.start_of(chosen[k]).axis != move.end.axis) continue;
+      const Motion motion = MotionLaw().of(toolpath, chosen[k]);
+      if (motion.is_defined()) nearest_mm[k] = distance_from_part(motion, *tools[move.tool], scene).seen_mm;
     }
   });
   return *std::min_element(nearest_mm.begin(), nearest_mm.end());
@@ -109,10 +103,17 @@ std::string positions_examined(const ClosestApproach& closest_approach) {
 }
 
 std::string apart_text(const ClosestApproach& closest_approach) {
-  // The distance is rounded down, because it must hold for each position.
-  const std::string distance = fixed_text(std::floor(closest_approach.apart_mm * 10) / 10, 1) + " mm to the part";
-  if (closest_approach.cuts == 1) return "at the only cutting position the tool is not nearer than " + distance;
-  return "at none of " + positions_examined(closest_approach) + " is the tool nearer than " + distance;
+  // Distances are rounded down, because they must hold for each position.
+  const auto rounded = [](double mm) { return fixed_text(std::floor(mm * 10) / 10, 1); };
+  const std::string apart = rounded(closest_approach.apart_mm);
+  std::string text = closest_approach.cuts == 1
+                         ? "at the only cutting position the tool is not nearer than "
+                         : "at none of " + positions_examined(closest_approach) + " is the tool nearer than ";
+  text += apart + " mm to the part";
+  const double along = closest_approach.nearest_mm.value_or(ClosestApproach::kFar_mm);
+  if (along < closest_approach.apart_mm && rounded(along) != apart)
+    text += ", and along the path it is not seen nearer than " + rounded(along) + " mm";
+  return text;
 }
 
 std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath,
@@ -128,7 +129,7 @@ std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath
   for_each_chunk(chosen.size(), kPositionsPerChunk, threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const Move& move = toolpath.moves[chosen[k]];
-      const Distance found = distance_from_part(move.end, *tools[move.tool], scene);
+      const Distance found = distance_from_part(MotionLaw::tool_at(move.end), *tools[move.tool], scene);
       distances[k] = found.seen_mm;
       least[k] = found.min_mm;
     }

@@ -148,9 +148,8 @@ void add_path_key(Page& page, const PictureSet& set, double x, double y) {
   const LengthUnit unit = set.model.toolpath->unit;
   y += 18;
   for (const std::string& words :
-       {std::string("Distance from the part"), "at " + std::to_string(c.positions) + " cutting positions:",
-        "closest approach: " + closest_approach_words(c.nearest_mm, unit),
-        "half of them " + closest_approach_words(c.median_mm, unit)}) {
+       {std::string("Distance from the part:"), "closest approach: " + closest_approach_words(c.nearest_mm, unit),
+        "half of " + count_text(c.positions, "cutting position") + ":", closest_approach_words(c.median_mm, unit)}) {
     page.text({x, y}, words, fitting_size(words, 14, kPageWidth - 16 - x), kSoftInk);
     y += 19;
   }

@@ -274,7 +274,7 @@ std::string closest_approach_text(const ReportModel& model) {
   if (!model.result->closest_approach) return {};
   const ClosestApproach& c = *model.result->closest_approach;
   const LengthUnit unit = model.toolpath->unit;
-  if (c.positions == 1) return closest_approach_words(c.nearest_mm, unit) + " at the only cutting position";
+  if (c.positions == 1) return closest_approach_words(c.nearest_mm, unit) + " along the path";
   return closest_approach_words(c.nearest_mm, unit) + "; half of the " + positions_examined(c) + " are " +
          closest_approach_words(c.median_mm, unit);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -33,6 +35,26 @@ TEST(ClosestApproach, ACutFromOneSideOfThePartToTheOtherIsNotApart) {
   EXPECT_NEAR(*found->nearest_mm, 0, 0.011);
   EXPECT_FALSE(found->is_apart());
   EXPECT_NEAR(*closest_approach(paths::through({upright(-90, 0, 7), upright(90, 0, 7)}))->nearest_mm, 7, 0.011);
+}
+
+// The tool is nearest at an instant that no equal division of the cut meets: over the corner of the part.
+TEST(ClosestApproach, IsThatOfTheWholeCutIfItsEndsAreApart) {
+  const auto slanted = closest_approach(paths::through({upright(-90, 0, 32), upright(90, 0, 8)}));
+  EXPECT_NEAR(*slanted->nearest_mm, (8 + 24 * 35 / 180.0) * 180 / std::hypot(180, 24), 0.011);
+  const auto deep = closest_approach(paths::through({upright(-90, 0, 31), upright(-54, 0, 1), upright(-90, 0, -29)}));
+  EXPECT_FALSE(deep->is_apart());
+  const auto found = closest_approach(paths::through({upright(-90, 0, 3), upright(90, 0, 3)}));
+  EXPECT_EQ(apart_text(*found),
+            "at none of 2 cutting positions is the tool nearer than 20.0 mm to the part, and along the path it is not "
+            "seen nearer than 3.0 mm");
+}
+
+TEST(ClosestApproach, OfTheWholeCutIsNamedWhereItDiffers) {
+  EXPECT_EQ(apart_text({1, 1, 2.5, {}, 14.38}),
+            "at the only cutting position the tool is not nearer than 14.3 mm to the part, and along the path it is "
+            "not seen nearer than 2.5 mm");
+  EXPECT_EQ(apart_text({1, 1, 14.385, {}, 14.38}),
+            "at the only cutting position the tool is not nearer than 14.3 mm to the part");
 }
 
 TEST(ClosestApproach, TouchingAndDeeperIsNothing) {

@@ -298,6 +298,8 @@ TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
             "not within 20 mm; half of the 400 cutting positions examined (of 2425) are not within 20 mm");
   report.result.closest_approach = ClosestApproach{37, 37, 1.0, 2.0, 1.0};
   EXPECT_EQ(closest_approach_text(report.model), "within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
+  report.result.closest_approach = ClosestApproach{1, 1, 2.5, 14.4, 14.3};
+  EXPECT_EQ(closest_approach_text(report.model), "within 2.50 mm along the path");
   report.result.closest_approach.reset();
   EXPECT_EQ(closest_approach_text(report.model), "");
 }
