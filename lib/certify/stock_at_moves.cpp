@@ -102,7 +102,7 @@ std::optional<MoveVerdict> StockAtMoves::find_stock_in(const StockQuestion& abou
     verdict.witness = stock_witness(depth.witness, *about.head, motion);
     return verdict;
   }
-  const Body of = body_at(stock_.tools[tool].tool->bare, motion.at(depth.witness.t), depth.witness.point);
+  const Body of = body_at(stock_.tools[tool].tool->bare, about.body, motion.at(depth.witness.t), depth.witness.point);
   verdict.witness = stock_witness(depth.witness, of, about.body, motion);
   return verdict;
 }

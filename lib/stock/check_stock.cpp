@@ -164,7 +164,7 @@ class StockChecker {
     const StockWitness& witness = *finding.witness;
     finding.nearest_cut = history_.nearest_cut(witness.point, about.move, (stock_.high() - stock_.low()).norm());
     if (about.head != nullptr) return limited.budget - left + deepest.examined;
-    finding.body = body_at(history_.tool_of(about.move).tool->bare, motion.at(witness.t), witness.point);
+    finding.body = body_at(history_.tool_of(about.move).tool->bare, about.body, motion.at(witness.t), witness.point);
     if (!is_whole(about.move) && finding.body == Body::cutter) finding.body = Body::shank;
     return limited.budget - left + deepest.examined;
   }

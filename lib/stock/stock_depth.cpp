@@ -1,7 +1,9 @@
 // The depth of remaining stock in a body, by questions about greater depths: find_depth of stock_search.
 
 #include <algorithm>
+#include <limits>
 
+#include "lib/base/tolerance.h"
 #include "lib/check/stock_bounds.h"
 #include "lib/stock/stock_search.h"
 #include "lib/tool/evaluate.h"
@@ -11,6 +13,23 @@ namespace gouge {
 namespace {
 
 constexpr int kDepthSteps = 24;
+
+/// Returns the body of the boundary at the height of a point. Bodies stand one above the other, so that of the nearest
+/// boundary may be another one: on the axis of a holder the shank below it may be nearer than the holder's surface.
+Body body_at_height(const CompiledTool& tool, double r_mm, double z_mm) {
+  const BoundaryElement* nearest = nullptr;
+  double least_mm = std::numeric_limits<double>::infinity();
+  for (const BoundaryElement& e : tool.elements) {
+    const auto [low, high] = std::minmax(e.a.y(), e.b.y());
+    const bool is_at_height = high - low > Tolerance::kRounding_mm && low <= z_mm && z_mm <= high;
+    if (!is_at_height) continue;
+    const double distance_mm = distance_to(e, {r_mm, z_mm});
+    if (distance_mm >= least_mm) continue;
+    least_mm = distance_mm;
+    nearest = &e;
+  }
+  return nearest != nullptr ? nearest->body : tool.elements[evaluate(tool, r_mm, z_mm).element].body;
+}
 
 }  // namespace
 
@@ -42,10 +61,10 @@ double depth_gap_mm(double depth_mm, const StockOptions& options) {
   return std::max(2 * options.resolution_mm, kShare * depth_mm);
 }
 
-Body body_at(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+Body body_at(const CompiledTool& bare, const CompiledTool& asked, const Pose& pose, const Vec3& point) {
   const Vec3 from_tip = point - pose.tip;
-  const double z = from_tip.dot(pose.axis);
-  return tool.elements[evaluate(tool, (from_tip - z * pose.axis).norm(), z).element].body;
+  const double z = from_tip.dot(pose.axis), r = (from_tip - z * pose.axis).norm();
+  return body_at_height(signed_distance_mm(bare, r, z) <= 0 ? bare : asked, r, z);
 }
 
 }  // namespace gouge

@@ -76,7 +76,8 @@ struct StockDepth {
 /// Returns the gap between the bounds of a depth at which the search ends.
 [[nodiscard]] double depth_gap_mm(double depth_mm, const StockOptions& options);
 
-/// Returns the body of the tool's boundary that is nearest to a point.
-[[nodiscard]] Body body_at(const CompiledTool& tool, const Pose& pose, const Vec3& point);
+/// Returns the body that contains a point: of the bare tool, or, for a point within a clearance only, of the tool that was
+/// asked about.
+[[nodiscard]] Body body_at(const CompiledTool& bare, const CompiledTool& asked, const Pose& pose, const Vec3& point);
 
 }  // namespace gouge

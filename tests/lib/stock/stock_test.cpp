@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/stock/check_stock.h"
+#include "lib/stock/stock_search.h"
 #include "lib/tool/evaluate.h"
 #include "tests/lib/stock/block.h"
 #include "tests/support/scatter.h"
@@ -86,6 +87,32 @@ TEST(Stock, APlungeDeeperThanTheFlutesIsClearUnlessTheShankIsWider) {
   // The shank reaches the face after 10 + 12 mm of 35, and is deeper than the tolerance 0.1 mm later.
   EXPECT_LE(result.findings.front().contact.clear_until, (22.1 + 2 * kResolution_mm) / 35);
   EXPECT_GE(result.findings.front().contact.contact_at, 22.1 / 35 - 1e-9);
+}
+
+// On the axis of a wide holder the end of the slim shank is nearer than the surface of the holder.
+TEST(Stock, FindingsNameTheBodyThatContainsTheirPoint) {
+  ToolAssembly tool = tools::assembly(FlatCutter{6, 12}, 6);
+  tool.shank = {{6, 6, 8}};
+  tool.holder = {{30, 30, 50}};
+  const ToolVariants made = tools::variants(tool);
+  const StockResult result = run(path_of({{kRapid, upright(-90, 0, -26)}, {kFeed, upright(90, 0, -26)}}), {made});
+  ASSERT_EQ(result.findings.size(), 1U);
+  const StockFinding& found = result.findings.front();
+  const double height = found.witness->point.z() + 26;
+  EXPECT_EQ(found.body, height > 20 ? Body::holder : Body::shank) << height;
+  const auto body = [&](double r, double z) {
+    return body_at(made.bare, made.non_cutting, {Vec3::Zero(), Vec3::UnitZ()}, {0, r, z});
+  };
+  for (const double r : {0.0, 1.0, 2.9}) {
+    EXPECT_EQ(body(r, 11.9), Body::cutter);
+    EXPECT_EQ(body(r, 12.1), Body::shank);
+    EXPECT_EQ(body(r, 19.9), Body::shank);
+    EXPECT_EQ(body(r, 20.1), Body::holder);
+    EXPECT_EQ(body(r, 69.9), Body::holder);
+  }
+  const ToolVariants cleared = tools::variants(tool, 0, 0.5, 2);
+  EXPECT_EQ(body_at(cleared.bare, cleared.non_cutting, {Vec3::Zero(), Vec3::UnitZ()}, {0, 10, 18.5}), Body::holder)
+      << "in the clearance of the holder alone";
 }
 
 TEST(Stock, AShankAsWideAsItsFlutesMayFollowItsOwnLevels) {
