@@ -23,13 +23,11 @@ class Settling {
   void enter(const StockFinding& finding) {
     MoveVerdict& verdict = result_.verdicts[finding.move];
     if (finding.witness) result_.stock->contacts.push_back(contact_of(finding));
-    if (!is_free(verdict)) return add_to_gouge(verdict, about(finding));
+    if (!is_free(verdict)) return add_to_gouge(verdict, remark_about(finding));
     if (!finding.witness) {
-      verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), finding.unknown, finding.body);
-      if (finding.body == Body::head && is_turn_open(finding.move))
-        verdict.reason = {Reason::Kind::turn_undecided, Body::head};
-    } else if (path_.moves[finding.move].is_linked && !path_.moves[finding.move].has_start) {
-      verdict = not_checked(link_reason(path_, finding.move));  // the file does not state the way to this position
+      verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), open_reason(finding));
+    } else if (has_unknown_way(finding.move)) {
+      verdict = not_checked(link_reason(path_, finding.move));
     } else {
       verdict = gouge(finding);
     }
@@ -40,8 +38,7 @@ class Settling {
     const Reason why{Reason::Kind::stock_motion_open, Body::cutter};
     if (!is_free(verdict))
       return add_to_gouge(verdict, {Reason::Kind::stock_open_too, Body::cutter, 0, reason_text(why)});
-    verdict = open(std::numeric_limits<double>::infinity(), {}, Body::cutter);
-    verdict.reason = why;
+    verdict = open(std::numeric_limits<double>::infinity(), why);
   }
 
  private:
@@ -49,24 +46,35 @@ class Settling {
     return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
   }
 
-  /// Adds to the gouge of a part or a fixture what the move has besides. So no acceptance of the gouge hides it.
-  static void add_to_gouge(MoveVerdict& verdict, const Reason& besides) {
+  /// Adds to the gouge of a part or a fixture the stock that its move meets too. So no acceptance of the gouge hides it.
+  static void add_to_gouge(MoveVerdict& verdict, const Reason& stock) {
     if (verdict.state != MoveState::gouge) return;
     const std::string limit = reason_text(verdict.reason);
-    const std::string detail = std::string(besides.detail()) + (limit.empty() ? "" : "; " + limit);
-    verdict.reason = {besides.kind, besides.body, besides.amount(), detail};
+    const std::string detail = std::string(stock.detail()) + (limit.empty() ? "" : "; " + limit);
+    verdict.reason = {stock.kind, stock.body, stock.amount(), detail};
   }
 
   /// Returns the remark about a finding in a move that gouges a part or a fixture. Its amount is the depth.
-  [[nodiscard]] Reason about(const StockFinding& finding) const {
-    if (!finding.witness) {
-      const MoveVerdict undecided = open(0, finding.unknown, finding.body);
-      return {Reason::Kind::stock_open_too, finding.body, 0, reason_text(undecided.reason)};
-    }
+  [[nodiscard]] Reason remark_about(const StockFinding& finding) const {
+    if (!finding.witness) return {Reason::Kind::stock_open_too, finding.body, 0, reason_text(open_reason(finding))};
+    if (has_unknown_way(finding.move))
+      return {Reason::Kind::stock_open_too, finding.body, 0, reason_text(link_reason(path_, finding.move))};
     const double depth_mm = finding.witness->depth_mm;
     return {Reason::Kind::stock_met_too, finding.body, depth_mm,
             display_text(depth_mm, kLengthDecimals) + " mm (at most " +
                 display_text(finding.depth_upper_mm, kLengthDecimals) + " mm), " + evidence(finding)};
+  }
+
+  /// Returns whether the file does not state the way to the position at which a move ends.
+  [[nodiscard]] bool has_unknown_way(std::size_t move) const {
+    return path_.moves[move].is_linked && !path_.moves[move].has_start;
+  }
+
+  /// Returns why a finding without a witness leaves its move open.
+  [[nodiscard]] Reason open_reason(const StockFinding& finding) const {
+    if (finding.body == Body::head && is_turn_open(finding.move)) return {Reason::Kind::turn_undecided, Body::head};
+    if (!finding.unknown) return {Reason::Kind::stock_touched, finding.body};
+    return {Reason::Kind::stock_unknown, finding.body, 0, place_of(finding.unknown)};
   }
 
   /// Returns whether the law leaves open how a head is turned about the tool axis.
@@ -100,12 +108,11 @@ class Settling {
     return contact;
   }
 
-  [[nodiscard]] MoveVerdict open(double depth_upper_mm, const CutMove& unknown, Body body) const {
+  [[nodiscard]] static MoveVerdict open(double depth_upper_mm, const Reason& why) {
     MoveVerdict verdict;
     verdict.state = MoveState::not_certified;
     verdict.depth_upper_mm = depth_upper_mm;
-    verdict.reason = unknown ? Reason{Reason::Kind::stock_unknown, body, 0, place_of(unknown)}
-                             : Reason{Reason::Kind::stock_touched, body};
+    verdict.reason = why;
     return verdict;
   }
 

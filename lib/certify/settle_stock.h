@@ -65,7 +65,8 @@ class StockHistory {
 
 /// Checks a path against its remaining stock and enters the result into its verdicts. A clean move that meets stock
 /// becomes a gouge against the stock, and one for which that is open is not certified. A move that gouges a part or a
-/// fixture keeps its verdict, with the stock as a remark (Reason::is_stock_besides). If asked, enters the material that is left on the parts; it changes no verdict of a move.
+/// fixture keeps its verdict, with a remark about the stock (Reason::is_stock_too). If asked, enters the material that is
+/// left on the parts; it changes no verdict of a move.
 ///
 /// Requires a verdict for each move. The events and counts of the result must be computed anew (summarise).
 /// Returns what was found for each move.

@@ -28,7 +28,7 @@ struct ClosestApproach {
   std::optional<double> median_mm;  ///< at half of the positions the distance is at most this
   double apart_mm = 0;  ///< proved minimum distance at the examined positions; the other positions may be closer
 
-  /// Returns whether the tool is near the part nowhere that `nearest_mm` covers.
+  /// Returns whether the tool is farther than kApart_mm from the part at all places that `nearest_mm` covers.
   [[nodiscard]] bool is_apart() const { return positions > 0 && nearest_mm.value_or(kFar_mm) > kApart_mm; }
 };
 

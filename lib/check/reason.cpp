@@ -106,8 +106,16 @@ bool has_form(std::string_view text, std::string_view form) {
 
 }  // namespace
 
+bool is_text_of_stock_too(std::string_view text) {
+  for (const Body body : {Body::cutter, Body::shank, Body::holder, Body::head}) {
+    if (text.starts_with(reason_text({Reason::Kind::stock_met_too, body}))) return true;
+  }
+  return text.starts_with(reason_text({Reason::Kind::stock_open_too}));
+}
+
+// The sentence about stock may end with that of a limit.
 bool is_text_of_limit(std::string_view text) {
-  return std::ranges::any_of(kTexts, [&](const Text& one) {
+  return !is_text_of_stock_too(text) && std::ranges::any_of(kTexts, [&](const Text& one) {
     const bool has_words = one.kind != Reason::Kind::stock_met;
     return Reason{one.kind}.names_limit() && has_words && has_form(text, one.text);
   });

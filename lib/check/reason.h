@@ -60,8 +60,8 @@ struct Reason {
   /// Returns whether the reason is a limit that a gouge exceeded; such a reason leaves nothing undecided, and the move has
   /// no other contact.
   [[nodiscard]] bool names_limit() const { return kind >= Kind::clearance_entered; }
-  /// Returns whether a gouge of a part or a fixture has stock besides, or may have.
-  [[nodiscard]] bool is_stock_besides() const { return kind == Kind::stock_met_too || kind == Kind::stock_open_too; }
+  /// Returns whether the move of a gouge meets remaining stock too, or may meet it.
+  [[nodiscard]] bool is_stock_too() const { return kind == Kind::stock_met_too || kind == Kind::stock_open_too; }
   [[nodiscard]] bool is_same(const Reason& other) const {
     return kind == other.kind && body == other.body && !(amount() < other.amount()) && !(other.amount() < amount()) &&
            detail() == other.detail();
@@ -78,7 +78,9 @@ struct Reason {
 /// Returns the sentence for people; empty if there is no reason.
 [[nodiscard]] std::string reason_text(const Reason& reason);
 
-/// Returns whether `text` is the sentence of a clearance or tolerance that a gouge exceeded.
+/// Returns whether `text` is the sentence of a clearance or tolerance that a gouge exceeded, and of nothing else.
 [[nodiscard]] bool is_text_of_limit(std::string_view text);
+/// Returns whether `text` is the sentence of a reason with is_stock_too.
+[[nodiscard]] bool is_text_of_stock_too(std::string_view text);
 
 }  // namespace gouge

@@ -19,8 +19,8 @@ constexpr double kTurn_rad = 0.0175;  // maximum turn of a stretch: its points d
 constexpr std::uint32_t kLeaf = 4;
 constexpr std::uint32_t kSmallNode = 16;
 
-/// Returns an upper bound of the angle between two unit vectors. Of the series of the arc sine, all terms but the first
-/// are replaced by their sum at 1 times the cube.
+/// Returns an upper bound of the angle between two unit vectors. It uses asin x <= x + (pi / 2 - 1) x^3, which holds
+/// because all terms of the series are positive, and those after the first are at most their values at 1 times x^3.
 double turn_at_most_rad(const Vec3& a, const Vec3& b) {
   constexpr double kRest = std::numbers::pi / 2 - 1;
   const double chord = (a - b).norm();

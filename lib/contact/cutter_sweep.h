@@ -86,7 +86,7 @@ class CutterSweep {
   /// The corners of a triangle relative to a point in it.
   using Corners = std::array<Vec3, 3>;
   /// Returns whether a point is certainly more than `within_mm` outside the cutter at all poses around the core. `of` is a
-  /// stretch of the same cutter. With `corners`, the whole triangle about the point is.
+  /// stretch of the same cutter. With `corners`, the answer holds for all points of the triangle about the point.
   [[nodiscard]] static bool is_beyond(const Core& core, const CutterStretch& of, const Vec3& point, double within_mm,
                                       const Corners* corners = nullptr);
   /// Calls `look(stretch)`, the nearer half of a node first, until it returns true. Visits stretches that may be within

@@ -153,8 +153,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return true;
   }
 
-  /// Returns whether the middle of a piece was gouged so deep that all of the piece was, or that all of it lies at the rim
-  /// of the gouge. There the cutter went through the surface, so stock that a path without the gouge leaves there was
+  /// Returns whether the gouge at the middle of a piece was so deep that the whole piece was in it, or at its rim. There the cutter went through the surface, so stock that a path without the gouge leaves there was
   /// never finished.
   [[nodiscard]] bool is_gouged(Candidate& candidate, const Vec3& middle, double radius_mm) const {
     const double gouged = limits_.finished_mm + kSure_mm;

@@ -101,9 +101,9 @@ using CornerDepths = std::array<double, 6>;
 }
 
 /// Returns the same bound by two planes that have the whole head below them, from the corners' depths below each. No
-/// point is deeper than its depth below either plane, so than any mean of the two. The bound is the largest mean in the
-/// piece, for the shares that make it smallest. It is much smaller than the bound of each plane alone where two faces of
-/// the head are about equally near.
+/// point is deeper than its depth below either plane. So no point is deeper than any mean of the two. The bound is the
+/// largest mean in the piece, for the shares that make it smallest. It is much smaller than the bound of each plane alone
+/// where two faces of the head are about equally near.
 /// Cost     A few products.
 [[nodiscard]] double depth_by_two_supports(const PieceRegion& region, const CornerDepths& a, const CornerDepths& b);
 

@@ -20,7 +20,8 @@ namespace gouge {
 /// Ensures  It is true if a triangle reaches in by more than 1e-9 mm, for coordinates up to 100 m.
 /// Cost     O(log n) plus the number of triangles near that space; no significant allocation.
 [[nodiscard]] bool is_entered(const BlockTree& tree, std::span<const HalfSpace> space);
-/// Returns the largest direction . x of all corners of triangles, or `low_mm` if that is larger. Infinite as soon as a
+
+/// Returns the maximum of direction . x over the corners x of all triangles, or `low_mm` if that is larger. Infinite as soon as a
 /// corner above `high_mm` is found. Requires a unit vector.
 ///
 /// Ensures  It misses at most 1e-9 mm, for coordinates up to 100 m.

@@ -19,18 +19,23 @@ DepthBound::DepthBound(const CompiledTool& tool)
 
 int DepthBound::step_of(double depth_mm) { return static_cast<int>(std::ceil(kSteps * std::log2(depth_mm))); }
 
+DepthBound::Step DepthBound::make_step(double depth_mm) const {
+  const double deeper_mm = depth_mm + kRegionRounding * (tool_.z_max_mm - tool_.z_min_mm);
+  return {regions_.at(depth_mm).regions, balls_.sharp_zones(deeper_mm)};
+}
+
 void DepthBound::prepare(double depth_upper_mm) {
   if (!balls_.is_single_valued() || !(depth_upper_mm > 0)) return;
   const int step = step_of(depth_upper_mm);
-  if (steps_.contains(step)) return;
-  const double depth = std::max(depth_upper_mm, std::exp2(step / kSteps));
-  const double deeper = depth + kRegionRounding * (tool_.z_max_mm - tool_.z_min_mm);
-  steps_[step] = {regions_.at(depth).regions, balls_.sharp_zones(deeper)};
+  if (!steps_.contains(step)) steps_[step] = make_step(std::max(depth_upper_mm, std::exp2(step / kSteps)));
+  if (steps_[step].regions.empty() && !exact_.contains(depth_upper_mm))
+    exact_[depth_upper_mm] = make_step(depth_upper_mm);
 }
 
 std::optional<RoundedReach> DepthBound::at(double depth_upper_mm, const Motion& motion, const Surface& part) const {
   if (!balls_.is_single_valued() || !(depth_upper_mm > 0)) return std::nullopt;
-  const Step& step = steps_.at(step_of(depth_upper_mm));
+  const auto exact = exact_.find(depth_upper_mm);
+  const Step& step = exact != exact_.end() ? exact->second : steps_.at(step_of(depth_upper_mm));
   const Pose pose = motion.at(0);
   const Vec3 across = pose.axis.unitOrthogonal();
   const auto is_outside = [&](const FreeRegion& region) {

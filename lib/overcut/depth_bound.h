@@ -39,12 +39,14 @@ class DepthBound {
     std::vector<Box2> sharp_zones;
   };
   static int step_of(double depth_mm);
+  [[nodiscard]] Step make_step(double depth_mm) const;
 
   const CompiledTool& tool_;
   InscribedBalls balls_;
   RegionFinder regions_;
   ConvexCover cover_;
   std::map<int, Step> steps_;
+  std::map<double, Step> exact_;  // for depths whose step has no region
 };
 
 }  // namespace gouge

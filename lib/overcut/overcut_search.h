@@ -10,7 +10,7 @@ namespace gouge {
 struct OvercutOptions {
   std::size_t max_cells =
       5'000;                ///< the search ends when the two bounds are overcut_gap_mm apart, or after so many cells
-  bool ends_early = false;  ///< the lower bound need not be better than that
+  bool ends_early = false;  ///< a climb ends once the two bounds are overcut_gap_mm apart
 };
 
 struct Overcut {

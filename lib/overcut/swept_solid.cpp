@@ -10,8 +10,8 @@ namespace gouge {
 namespace {
 
 constexpr double kSteep = 0.1;  // share of the cell's size by which the surface may be higher than its closest point
-constexpr double kAlongFacet = 0.99;  // cosine: a facet's plane that is turned farther from the closest point's is not
-                                      // used
+constexpr double kAlongFacet = 0.99;  // minimum cosine of the angle between the normal of a facet, whose plane is used,
+                                      // and the direction to the closest point
 
 }  // namespace
 

@@ -227,6 +227,10 @@ std::string write_accepted(const std::vector<Acceptance>& entries) {
   return file.dump(1) + "\n";
 }
 
+std::string more_text(const std::string& reason) {
+  return (is_text_of_stock_too(reason) ? "has more than this gouge: " : "leaves more open: ") + reason;
+}
+
 namespace {
 
 class Accepter {
@@ -247,8 +251,8 @@ class Accepter {
         return "the depth of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
                ") is not certified to the resolution";
       if (!move->reason.empty() && !is_text_of_limit(move->reason))
-        return "move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
-               ") has more than this gouge: " + move->reason;
+        return "move " + std::to_string(move->move) + " (line " + std::to_string(move->line) + ") " +
+               more_text(move->reason);
     }
     return std::nullopt;
   }

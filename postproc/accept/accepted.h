@@ -54,4 +54,8 @@ struct AcceptanceNote {
 [[nodiscard]] Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number,
                                                 const AcceptanceNote& note);
 
+/// Returns what a move leaves beside its gouge, for a sentence that begins with the move: "has more than this gouge: ..."
+/// for remaining stock, else "leaves more open: ...". `reason` is that of the move.
+[[nodiscard]] std::string more_text(const std::string& reason);
+
 }  // namespace gouge

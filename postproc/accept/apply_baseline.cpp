@@ -211,7 +211,7 @@ class Baseline {
     Slot& slot = found->second;
     for (const Offer& offer : slot.offers) answer.of_motion.insert(offer.entry);
     if (!move.open.empty()) {
-      answer.why_not = line + " has more than this gouge: " + move.open;
+      answer.why_not = line + " " + more_text(move.open);
       return answer;
     }
     answer.why_not = line + " gouges more often than was accepted";

@@ -25,8 +25,8 @@ CheckedMove checked_move(const ReportModel& model, const Event& event, std::size
 CheckedMove checked_move(const EventRecord& event, const MoveRecord& move) {
   CheckedMove made;
   made.line = move.line;
-  if (!move.witness || move.witness->body != event.body || move.witness->against != event.against || !move.depth_mm ||
-      !move.depth_upper_mm)
+  if (move.state != MoveState::gouge || !move.witness || move.witness->body != event.body ||
+      move.witness->against != event.against || !move.depth_mm || !move.depth_upper_mm)
     return made;
   made.motion = move.motion;
   made.depth_mm = *move.depth_mm;

@@ -83,7 +83,7 @@ struct Widening {
   std::size_t fresh = 0;    ///< the same motion did not gouge before
   std::size_t unknown = 0;  ///< the same motion was not decided before
   std::size_t buried = 0;   ///< the same motion gouged before, and the tool is buried now
-  std::size_t stock = 0;    ///< the motion meets remaining stock besides, or may meet it, which it did not before
+  std::size_t stock = 0;    ///< the motion meets remaining stock too, or may meet it, which was not so before
   std::size_t far = 0;      ///< other motions than before, whose deepest points are far from those before
 
   /// Returns the number to which a move belongs whose motion had another state before; `then` is null if it was clean.
@@ -266,10 +266,9 @@ class Comparer {
     return count;
   }
 
-  /// Returns whether a gouge of a part or a fixture has stock besides, or may have: its only remark that is no limit.
+  /// Returns whether the move of a gouge of a part or a fixture meets remaining stock too, or may meet it.
   [[nodiscard]] static bool has_stock(const MoveRecord& move) {
-    return move.state == MoveState::gouge && move.witness && move.witness->against != Against::stock &&
-           !move.reason.empty() && !is_text_of_limit(move.reason);
+    return move.state == MoveState::gouge && is_text_of_stock_too(move.reason);
   }
 
   // Compares one motion in both runs; `then` is null if it was clean.

@@ -278,13 +278,13 @@ std::string event_name(const ReportModel& model, const Event& event) {
 }
 
 // Returns the remark about stock of the move of a finding that is deepest in it; empty if none has one.
-static std::string stock_besides(const CheckResult& result, const Event& event) {
+static std::string stock_too(const CheckResult& result, const Event& event) {
   if (event.state != MoveState::gouge) return {};
   const Reason* worst = nullptr;
   std::size_t moves = 0, of = 0;
   for (std::size_t move = event.first_move; move <= event.last_move; ++move) {
     const Reason& reason = result.verdicts[move].reason;
-    if (!reason.is_stock_besides()) continue;
+    if (!reason.is_stock_too()) continue;
     ++moves;
     if (worst != nullptr && reason.amount() <= worst->amount()) continue;
     worst = &reason;
@@ -315,7 +315,7 @@ std::string event_text(const ReportModel& model, const Event& event) {
   text += counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +
           " t=" + instant_text(verdict.witness->t);
   if (verdict.reason.is(Reason::Kind::stock_met)) return text + ", " + reason_text(verdict.reason);
-  return text + stock_besides(*model.result, event);
+  return text + stock_too(*model.result, event);
 }
 
 std::string span_text(const Event& event) {

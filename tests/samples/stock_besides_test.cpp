@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/samples/box_stl.h"
 #include "tests/samples/small_shop.h"
 
 // Moves that gouge the part and meet remaining stock besides.
@@ -68,6 +69,20 @@ TEST_F(StockBesides, IsWorseThanTheGougeAloneInACompare) {
   EXPECT_NE(ran.out.find("1 motion is in remaining stock too, or may be, which was not so before"), std::string::npos)
       << ran.out;
   EXPECT_EQ(shop_.run({"compare", "b.json", "b.json"}).exit_status, 0);
+}
+
+TEST_F(StockBesides, IsNoneOfTheLimitsOfSingleFiles) {
+  shop_.write("clamp.stl", box_stl({30, 40, -1}, {70, 60, 3}));
+  const std::string above =
+      std::string(kHead) + "RAPID\nGOTO/-20,50,20\nRAPID\nGOTO/-20,50,3.5\nRAPID\nGOTO/90,50,3.5\nFINI\n";
+  const Words clamp = {"--fixture", "clamp.stl,clearance=1"};
+  const Outcome alone = shop_.check("a", above, clamp);
+  ASSERT_EQ(alone.exit_status, 1) << alone.out << alone.err;
+  const Outcome both = shop_.check("b", above, with_stock(clamp));
+  ASSERT_NE(both.out.find(kRemark), std::string::npos) << both.out;
+  EXPECT_EQ(accept("b.json").exit_status, 3);
+  EXPECT_EQ(shop_.run({"compare", "a.json", "b.json"}).exit_status, 1);
+  EXPECT_EQ(accept("a.json").exit_status, 0) << "a limit alone can be accepted";
 }
 
 TEST_F(StockBesides, IsKnownToVerify) {

@@ -25,8 +25,9 @@ namespace gouge {
 /// Ensures  (1) Each motion is one move with the line of its block, or of the call in the file. (2) After a word that is
 ///          not understood no move is checked. (3) With a machine, Toolpath::joints has the angles that the program states,
 ///          with their turns. (4) Moves::runs_joints states which moves run without tool centre point control.
-/// Errors   Codes: path-empty, path-too-long, path-binary, path-no-motion; path-unit: the program states another unit than the
-///          options; gcode-control: no control is stated, or one that is not known; gcode-machine: a rotary word without a machine that has the axis.
+/// Errors   Codes: path-empty, path-too-long, path-binary, path-no-motion; path-unit: the program states another unit
+///          than the options; gcode-control: no control is stated, or one that is not known; gcode-machine: a rotary word
+///          without a machine that has the axis.
 /// Cost     One pass. About 10 million words a second. Memory is the file, 104 bytes for each move, 12 for each line, and 48
 ///          for each move of a machine.
 [[nodiscard]] ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& stated,
