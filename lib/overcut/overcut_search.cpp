@@ -35,8 +35,8 @@ constexpr double kAlongNormal = 0.25;  // weight along the normal, where first-o
 /// A box of space with axes along the frame of the search, during a time interval.
 struct Cell : SearchCandidate {
   Vec3 centre = Vec3::Zero(), half = Vec3::Zero();  ///< part coordinates; half sizes along the axes of the frame
-  std::uint32_t interval = 0;
-  int next = 0;  ///< axis to halve; 3: the time is halved
+  std::uint32_t interval = 0, segment = 0;          ///< the segment has the interval
+  int next = 0;                                     ///< axis to halve; 3: the time is halved
   /// Result of the closest point of the part's surface to the centre.
   double inside_mm = 0;
   Vec3 outward = Vec3::UnitZ();
@@ -96,21 +96,35 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
   /// Adds cells for all points of the solid in the box `within`. Where a bound is known outside of the sharp zones, the
   /// rest is not searched, or only where the surface is deep.
   void add_solid(const Box3& within) {
-    const double rounded_mm = tool_.rounded_bound_mm();
-    const bool is_bounded = std::isfinite(rounded_mm);
-    std::vector<Box3> deep;
-    if (is_bounded) prune(std::min(rounded_mm, threshold_mm()));
-    if (is_bounded && rounded_mm > threshold_mm()) deep = tool_.deep_extents(frame_, part_, threshold_mm());
+    const bool is_sharp_only = tool_.rounded_bound_mm() <= threshold_mm();
+    if (is_sharp_only) prune(tool_.rounded_bound_mm());
+    if (!is_sharp_only && std::isfinite(tool_.rounded_bound_mm())) {
+      deep_ = tool_.deep_extents(frame_, part_, threshold_mm());
+      prune(threshold_mm());
+    }
     for (std::uint32_t s = 0; s < tool_.segments(); ++s) {
       Cell cell;
-      cell.interval = s;
-      if (!deep.empty()) add_within(deep[s].intersection(within), cell);
-      const std::vector<Box3> boxes = tool_.extents(frame_, s, is_bounded);
+      cell.interval = cell.segment = s;
+      const std::vector<Box3> boxes = tool_.extents(frame_, s, is_sharp_only);
       for (std::size_t k = 0; k < boxes.size(); ++k) {
-        if (is_bounded) cell.zone = static_cast<int>(k);
+        if (is_sharp_only) cell.zone = static_cast<int>(k);
         add_within(boxes[k].intersection(within), cell);
       }
     }
+  }
+
+  /// Reduces a cell outside of the sharp zones to its part near the deep surface. Returns how much of its volume is left.
+  double keep_deep(Cell& cell) const {
+    if (deep_.empty() || !(cell.half.prod() > 0)) return 1;
+    const Vec3 centre = frame_ * cell.centre;
+    const Box3 left = deep_[cell.segment].intersection(Box3(centre - cell.half, centre + cell.half));
+    if (left.isEmpty()) return 0;
+    const double share = (0.5 * left.sizes()).prod() / cell.half.prod();
+    if (share < kWorthAnotherLook) {
+      cell.centre = frame_.transpose() * left.center();
+      cell.half = 0.5 * left.sizes();
+    }
+    return share;
   }
 
   /// Splits a cell with a sharp zone: its time while the ring moves far, then the ring. Returns false if it has no
@@ -158,7 +172,15 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     const SweptBound swept = tool_.bound(cell.centre, radius, cell.interval);
     if (!swept.is_reached) return;
-    if (swept.is_rounded) cell.upper_mm = std::min(cell.upper_mm, tool_.rounded_bound_mm());
+    if (swept.is_rounded) {
+      cell.upper_mm = std::min(cell.upper_mm, tool_.rounded_bound_mm());
+      const double share = keep_deep(cell);
+      if (!(share > 0)) return;
+      if (share < kWorthAnotherLook) {
+        look_at_part(cell);
+        return add(cell);
+      }
+    }
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     offer_point(cell, swept);
     if (cell.zone >= 0) {  // a whole ring is too large for planes
@@ -356,6 +378,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
   }
 
   SweptSolid& tool_;
+  std::vector<Box3> deep_;  // by segment: where points outside of the sharp zones may be too deep; empty: anywhere
   const Surface& part_;
   const OvercutOptions& options_;
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
