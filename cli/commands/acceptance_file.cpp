@@ -12,6 +12,7 @@
 #include "cli/terminal/length_text.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
+#include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 
 namespace gouge {
