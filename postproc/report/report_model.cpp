@@ -10,6 +10,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/check/stock_bounds.h"
 #include "postproc/record/words.h"
+#include "postproc/report/axis_text.h"
 #include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
