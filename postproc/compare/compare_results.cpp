@@ -174,8 +174,8 @@ class Comparer {
     for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
       now.add(*move);
       const std::size_t other = motions_.after_to_before[move->move];
-      const MoveRecord* same = other == kNone ? nullptr : before_.find_move(other);
-      if (has_stock(*move) && !(other == kNone ? had_stock : same != nullptr && has_stock(*same))) {
+      const MoveRecord* then = other == kNone ? nullptr : before_.find_move(other);
+      if (has_stock(*move) && !(other == kNone ? had_stock : then != nullptr && has_stock(*then))) {
         made.change = Change::deeper;
         ++wider.stock;
       }
@@ -187,9 +187,8 @@ class Comparer {
           made.change = Change::deeper;
           ++wider.far;
         }
-      } else if (is_deeper(*move, before_.find_move(other))) {
+      } else if (is_deeper(*move, then)) {
         made.change = Change::deeper;
-        const MoveRecord* then = before_.find_move(other);
         if (then == nullptr || then->state != move->state)
           ++wider.of(*move, then);
         else if (deepening.empty())
