@@ -36,8 +36,7 @@ class Settling {
   void leave_open(std::size_t move) {
     MoveVerdict& verdict = result_.verdicts[move];
     const Reason why{Reason::Kind::stock_motion_open, Body::cutter};
-    if (!is_free(verdict))
-      return add_to_gouge(verdict, {Reason::Kind::stock_open_too, Body::cutter, 0, reason_text(why)});
+    if (!is_free(verdict)) return add_to_gouge(verdict, open_remark(why));
     verdict = open(std::numeric_limits<double>::infinity(), why);
   }
 
@@ -54,11 +53,13 @@ class Settling {
     verdict.reason = {stock.kind, stock.body, stock.amount(), detail};
   }
 
+  /// Returns the remark that it is open, for this reason, whether the move of a gouge meets stock too.
+  static Reason open_remark(const Reason& why) { return {Reason::Kind::stock_open_too, why.body, 0, reason_text(why)}; }
+
   /// Returns the remark about a finding in a move that gouges a part or a fixture. Its amount is the depth.
   [[nodiscard]] Reason remark_about(const StockFinding& finding) const {
-    if (!finding.witness) return {Reason::Kind::stock_open_too, finding.body, 0, reason_text(open_reason(finding))};
-    if (has_unknown_way(finding.move))
-      return {Reason::Kind::stock_open_too, finding.body, 0, reason_text(link_reason(path_, finding.move))};
+    if (!finding.witness) return open_remark(open_reason(finding));
+    if (has_unknown_way(finding.move)) return open_remark(link_reason(path_, finding.move));
     const double depth_mm = finding.witness->depth_mm;
     return {Reason::Kind::stock_met_too, finding.body, depth_mm,
             display_text(depth_mm, kLengthDecimals) + " mm (at most " +
