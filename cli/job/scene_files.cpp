@@ -39,8 +39,8 @@ class SceneLoader {
   void read_heads() {
     std::vector<IndexedMesh> meshes;
     read_meshes(request_.heads, "head", meshes, files_->head_facts, RigidTransform());
-    for (const IndexedMesh& mesh : meshes) {
-      for (const IndexedMesh& piece : head_pieces(mesh)) add_head(piece);
+    for (IndexedMesh& mesh : meshes) {
+      for (const Surface& piece : head_pieces(Surface(std::move(mesh)))) add_head(piece);
     }
   }
 
@@ -50,10 +50,10 @@ class SceneLoader {
     if (std::ranges::none_of(files_->errors, is_same)) files_->errors.push_back(error);
   }
 
-  void add_head(const IndexedMesh& piece) {
+  void add_head(const Surface& piece) {
     Result<HeadBody> head = build_head_body(piece);
     if (!head) return add_error(head.error());
-    const std::vector<IndexedMesh> shells = shells_of(piece);
+    const std::vector<IndexedMesh> shells = shells_of(piece.mesh());
     const auto crosses = [](const IndexedMesh& shell) {
       const MeshValidation judged = validate_mesh(shell, find_mesh_findings(shell));
       return judged.self_intersections.pairs > 0 || !judged.trouble.empty();
@@ -62,7 +62,7 @@ class SceneLoader {
       return add_error(make_error("mesh-head-crosses",
                                   "crosses itself, so what is inside the head is not defined; expected a plain solid; "
                                   "'gougecheck mesh FILE' reports where",
-                                  piece.name));
+                                  piece.mesh().name));
     }
     files_->heads.push_back(std::move(*head));
   }

@@ -142,9 +142,10 @@ void add_cores_of_boundary(HeadBody& head) {
 
 }  // namespace
 
-Result<HeadBody> build_head_body(IndexedMesh of) {
-  if (auto error = find_too_far(of, "head", "--stl-units")) return *std::move(error);
-  const Surface whole(std::move(of));
+Result<HeadBody> build_head_body(IndexedMesh mesh) { return build_head_body(Surface(std::move(mesh))); }
+
+Result<HeadBody> build_head_body(const Surface& whole) {
+  if (auto error = find_too_far(whole.mesh(), "head", "--stl-units")) return *std::move(error);
   if (!whole.is_solid()) {
     return make_error("mesh-head-open",
                       "is not a closed solid facing outward; expected one, since what is inside the head must be "
@@ -165,10 +166,13 @@ Result<HeadBody> build_head_body(IndexedMesh of) {
   return head;
 }
 
-std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh) {
-  if (find_mesh_findings(mesh).cavities > 0) return {mesh};
-  const Surface whole(mesh);
-  return whole.is_boundary() ? shells_of(mesh) : std::vector{mesh};
+std::vector<Surface> head_pieces(const Surface& whole) {
+  if (find_mesh_findings(whole.mesh()).cavities > 0 || !whole.is_boundary()) return {whole};
+  std::vector<IndexedMesh> shells = shells_of(whole.mesh());
+  if (shells.size() < 2) return {whole};
+  std::vector<Surface> pieces;
+  for (IndexedMesh& shell : shells) pieces.emplace_back(std::move(shell));
+  return pieces;
 }
 
 Result<std::vector<HeadBody>> moved_up(const std::vector<HeadBody>& heads, double by_mm) {

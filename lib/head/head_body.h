@@ -29,6 +29,8 @@ struct HeadBody {
 /// Errors   mesh-head-open: the surface is not closed, so its inside is not defined. mesh-head-crosses: because of
 ///          rounding it is not known where its inside ends.
 [[nodiscard]] Result<HeadBody> build_head_body(IndexedMesh mesh);
+/// Builds the same from a surface of such a mesh. Its boundary is not found again if it is known.
+[[nodiscard]] Result<HeadBody> build_head_body(const Surface& whole);
 
 /// Builds the same bodies `by_mm` farther up the tool axis, as for a longer stick-out. Errors: those of
 /// build_head_body.
@@ -37,9 +39,9 @@ struct HeadBody {
 /// Returns the connected pieces of a surface, each as a mesh of its own.
 [[nodiscard]] std::vector<IndexedMesh> shells_of(const IndexedMesh& mesh);
 
-/// Returns the shells of a surface as separate meshes, if they are separate bodies. A surface with cavities stays
+/// Returns the shells of a surface as separate surfaces, if they are separate bodies. A surface with cavities stays
 /// whole, because a cavity belongs to the shell around it. A surface whose shells nest or overlap stays whole too: no
 /// single shell shows how deep a point is in all of them.
-[[nodiscard]] std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh);
+[[nodiscard]] std::vector<Surface> head_pieces(const Surface& whole);
 
 }  // namespace gouge

@@ -150,10 +150,10 @@ TEST(Heads, HaveACoreInEveryPiece) {
 
 TEST(Heads, ArePiecesWhereTheseAreBodiesApart) {
   const IndexedMesh apart = shapes::joined(shapes::cube(10), shapes::moved(shapes::cube(10), Vec3(20, 0, 0)));
-  EXPECT_EQ(head_pieces(apart).size(), 2U);
+  EXPECT_EQ(head_pieces(Surface(apart)).size(), 2U);
   EXPECT_EQ(shells_of(shapes::cubes_crossing()).size(), 2U);
-  EXPECT_EQ(head_pieces(shapes::cubes_crossing()).size(), 1U) << "how deep a point is in both, neither shows";
-  EXPECT_EQ(head_pieces(shapes::hollow_cube()).size(), 1U);
+  EXPECT_EQ(head_pieces(Surface(shapes::cubes_crossing())).size(), 1U) << "how deep a point is in both, neither shows";
+  EXPECT_EQ(head_pieces(Surface(shapes::hollow_cube())).size(), 1U);
   const HeadBody crossing = *build_head_body(shapes::cubes_crossing());
   EXPECT_NEAR(crossing.surface.closest_point(Vec3(7.5, 7.5, 7.5))->signed_mm(), -std::sqrt(2 * 2.5 * 2.5), 1e-9);
 }
