@@ -4,12 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/job_words.h"
+#include "cli/output/json_text.h"
 #include "cli/project_file.h"
 
 namespace gouge {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kDraft = "https://json-schema.org/draft/2020-12/schema";
 
