@@ -78,8 +78,24 @@ struct Growth {
   bool is_swept = false;     ///< the bodies are swept over tilts
 };
 
+/// The bodies of a tool with the lengths by which they grow.
+struct GrownBodies {
+  OffsetBody bare_cutter, cutter_with_stock, bare_shank, offset_shank, bare_holder, offset_holder;
+
+  GrownBodies(const BodyProfiles& bodies, const Growth& growth) {
+    const auto& [cutter, shank, holder] = bodies;
+    const double every_mm = growth.every_body_mm;
+    bare_cutter = {&cutter, every_mm};
+    cutter_with_stock = {&cutter, growth.stock_to_leave_mm + every_mm};
+    bare_shank = {&shank, every_mm};
+    offset_shank = {&shank, growth.shank_clearance_mm + every_mm};
+    bare_holder = {&holder, every_mm};
+    offset_holder = {&holder, growth.holder_clearance_mm + every_mm};
+  }
+};
+
 Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& bodies, const Growth& growth) {
-  const auto& [cutter, shank, holder] = bodies;
+  const GrownBodies grown(bodies, growth);
   const Profile none;
   std::optional<Diagnostic> error;
   const auto compiled = [&](const std::vector<OffsetBody>& offset) {
@@ -88,26 +104,43 @@ Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& b
     error = united.error();
     return CompiledTool{};
   };
-  const double every_mm = growth.every_body_mm;
   const bool has_shank = growth.shank_clearance_mm > 0, has_holder = growth.holder_clearance_mm > 0;
-  const OffsetBody bare_cutter{&cutter, every_mm}, cutter_with_stock{&cutter, growth.stock_to_leave_mm + every_mm};
-  const OffsetBody offset_shank{&shank, growth.shank_clearance_mm + every_mm};
-  const OffsetBody offset_holder{&holder, growth.holder_clearance_mm + every_mm};
   ToolVariants variants;
-  variants.bare = compiled({bare_cutter, {&shank, every_mm}, {&holder, every_mm}});
+  variants.bare = compiled({grown.bare_cutter, grown.bare_shank, grown.bare_holder});
   variants.against_fixture =
-      has_shank || has_holder ? compiled({bare_cutter, offset_shank, offset_holder}) : variants.bare;
-  variants.against_part = growth.stock_to_leave_mm > 0 ? compiled({cutter_with_stock, offset_shank, offset_holder})
-                                                       : variants.against_fixture;
-  variants.with_clearance =
-      compiled({has_shank ? offset_shank : OffsetBody{&none, 0}, has_holder ? offset_holder : OffsetBody{&none, 0}});
-  const bool is_alone = shank.elements.empty() && holder.elements.empty();
-  variants.cutting = is_alone ? variants.against_part : compiled({cutter_with_stock});
-  variants.non_cutting = compiled({offset_shank, offset_holder});
+      has_shank || has_holder ? compiled({grown.bare_cutter, grown.offset_shank, grown.offset_holder}) : variants.bare;
+  variants.against_part = growth.stock_to_leave_mm > 0
+                              ? compiled({grown.cutter_with_stock, grown.offset_shank, grown.offset_holder})
+                              : variants.against_fixture;
+  variants.with_clearance = compiled(
+      {has_shank ? grown.offset_shank : OffsetBody{&none, 0}, has_holder ? grown.offset_holder : OffsetBody{&none, 0}});
+  const bool is_alone = grown.bare_shank.profile->elements.empty() && grown.bare_holder.profile->elements.empty();
+  variants.cutting = is_alone ? variants.against_part : compiled({grown.cutter_with_stock});
+  variants.non_cutting = compiled({grown.offset_shank, grown.offset_holder});
   if (error) {
     error->message = "tool " + label(tool) + ": " + error->message;
     return *error;
   }
+  return variants;
+}
+
+Result<AloneVariants> alone_variants(const ToolAssembly& tool, const BodyProfiles& bodies, const Growth& growth) {
+  std::optional<Diagnostic> error;
+  const auto alone = [&](const OffsetBody& body) {
+    const Result<Profile> closed = unite({body});
+    if (!closed) error = closed.error();
+    return std::make_shared<const CompiledTool>(
+        closed ? compile_tool(label(tool), growth.is_swept ? cut_at_turns(*closed) : *closed) : CompiledTool{});
+  };
+  const GrownBodies grown(bodies, growth);
+  AloneVariants variants;
+  variants.bare = {alone(grown.bare_cutter), alone(grown.bare_shank), alone(grown.bare_holder)};
+  variants.against_fixture = variants.bare;
+  if (growth.shank_clearance_mm > 0) variants.against_fixture[1] = alone(grown.offset_shank);
+  if (growth.holder_clearance_mm > 0) variants.against_fixture[2] = alone(grown.offset_holder);
+  variants.against_part = variants.against_fixture;
+  if (growth.stock_to_leave_mm > 0) variants.against_part[0] = alone(grown.cutter_with_stock);
+  if (error) return make_error(error->code, "tool " + label(tool) + ": " + error->message);
   return variants;
 }
 
@@ -165,13 +198,21 @@ struct Offsets {
   MotionTube tube;
 };
 
+Growth growth_of(const Offsets& offsets) {
+  return {offsets.stock_to_leave_mm, offsets.shank_clearance_mm, offsets.holder_clearance_mm, offsets.tube.tip_mm,
+          offsets.tube.axis_rad > 0};
+}
+
 Result<ToolVariants> whole_variants(const ToolAssembly& tool, const Offsets& offsets, bool has_wide) {
-  const auto& [stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube] = offsets;
-  Result<BodyProfiles> bodies = swept_profiles(tool, tube);
+  Result<BodyProfiles> bodies = swept_profiles(tool, offsets.tube);
   if (!bodies) return bodies.error();
-  const Growth growth{stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube.tip_mm, tube.axis_rad > 0};
+  const Growth growth = growth_of(offsets);
   Result<ToolVariants> variants = variants_of(tool, *bodies, growth);
-  if (!variants || !has_wide || bodies->front().elements.empty()) return variants;
+  if (!variants) return variants;
+  Result<AloneVariants> alone = alone_variants(tool, *bodies, growth);
+  if (!alone) return alone.error();
+  variants->alone = std::make_shared<const AloneVariants>(*std::move(alone));
+  if (!has_wide || bodies->front().elements.empty()) return variants;
   const double farther_mm = 2 * variants->cutting.r_max_mm;
   for (Profile& body : *bodies) body = moved_out(body, farther_mm);
   Result<ToolVariants> wide = variants_of(tool, *bodies, growth);
@@ -242,7 +283,7 @@ Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double 
   Result<BodyProfiles> bodies = swept_profiles(tool, tube);
   if (!bodies) return bodies.error();
   bodies->at(static_cast<std::size_t>(Body::cutter)) = {};
-  return variants_of(tool, *bodies, {0, shank_clearance_mm, holder_clearance_mm, tube.tip_mm, tube.axis_rad > 0});
+  return variants_of(tool, *bodies, growth_of({0, shank_clearance_mm, holder_clearance_mm, tube}));
 }
 
 }  // namespace gouge

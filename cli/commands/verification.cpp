@@ -129,6 +129,17 @@ class Verifier {
       } else if (claim.witness && claim.state != ClaimedState::buried) {
         ++done_.witnesses;
       }
+      for (const FurtherClaim& further : claim.further) check_further(tools, move, further);
+    }
+  }
+
+  void check_further(const ClaimedTools& tools, std::size_t move, const FurtherClaim& further) {
+    const auto& w = further.witness;
+    if (auto fault = find_further_fault(scene_, tools, move, further)) {
+      done_.refuted.push_back({move, w ? std::optional(w->t) : std::nullopt, w ? std::optional(w->point) : std::nullopt,
+                               std::string("the witness of its ") + body_name(further.body) + ": " + *fault});
+    } else if (w) {
+      ++done_.witnesses;
     }
   }
 

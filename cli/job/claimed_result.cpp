@@ -220,6 +220,14 @@ class ClaimTaker {
     claim.depth_upper_mm = move.depth_upper_mm;
     claim.clearance_mm = move.clearance_mm;
     if (move.witness) claim.witness = witness(*move.witness);
+    for (const FurtherRecord& further : move.further) {
+      FurtherClaim& one = claim.further.emplace_back();
+      one.body = further.body;
+      one.is_fixture = further.against == Against::fixture;
+      one.depth_mm = further.depth_mm.value_or(0);
+      one.depth_upper_mm = further.depth_upper_mm;
+      if (further.witness) one.witness = witness(*further.witness);
+    }
     result_.largest_overcut_mm = std::max(result_.largest_overcut_mm, move.overcut_mm.value_or(0));
     if (!result_.claims.emplace(move.move, claim).second) result_.names_a_move_twice = true;
   }

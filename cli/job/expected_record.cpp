@@ -73,16 +73,28 @@ class ExpectedRecordMaker {
     if (move.state != MoveState::gouge) verdict.clearance_mm = move.clearance_mm;  // a gouge has none
     if (move.overcut_mm) verdict.overcut = OvercutBounds{*move.overcut_mm, move.overcut_upper_mm.value_or(kUnbounded)};
     verdict.reason = reason_of(move);
-    if (!claim.witness) return;
-    const ClaimedWitness& w = *claim.witness;
-    verdict.witness = Witness{w.t,
-                              w.point,
-                              w.normal,
-                              w.body,
-                              move.witness->against,
-                              static_cast<std::uint32_t>(w.mesh),
-                              static_cast<std::uint32_t>(w.triangle),
-                              w.turn};
+    if (claim.witness) verdict.witness = taken(*claim.witness, *move.witness);
+    for (std::size_t k = 0; k < move.further.size(); ++k) {
+      const FurtherRecord& record = move.further[k];
+      FurtherContact& contact = made_.further.emplace_back();
+      contact.move = move.move;
+      contact.body = record.body;
+      contact.against = record.against;
+      contact.depth_mm = record.depth_mm.value_or(0);
+      contact.depth_upper_mm = record.depth_upper_mm.value_or(kUnbounded);
+      if (record.witness) contact.witness = taken(*claim.further[k].witness, *record.witness);
+    }
+  }
+
+  static Witness taken(const ClaimedWitness& w, const WitnessRecord& record) {
+    return {w.t,
+            w.point,
+            w.normal,
+            w.body,
+            record.against,
+            static_cast<std::uint32_t>(w.mesh),
+            static_cast<std::uint32_t>(w.triangle),
+            w.turn};
   }
 
   [[nodiscard]] ListedMove listed(const MoveRecord& move) const {

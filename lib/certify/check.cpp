@@ -5,6 +5,7 @@
 #include "lib/certify/any_turn.h"
 #include "lib/check/check_path.h"
 #include "lib/check/check_result.h"
+#include "lib/further/further_contacts.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 
@@ -42,6 +43,7 @@ CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const Pro
 
 CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
   CheckResult result = check_moves(path, setup, progress);
+  find_further_contacts(path, setup.tools, setup.scene, setup.options, setup.heads, result, progress);
   result.any_turn = count_any_turns(path, setup, result, progress);
   if (setup.stock != nullptr) {
     settle_stock(path, setup, result, progress);

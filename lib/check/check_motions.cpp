@@ -5,6 +5,7 @@
 
 #include "lib/check/check_options.h"
 #include "lib/check/reach.h"
+#include "lib/check/search_witness.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/evaluate.h"
 
@@ -135,12 +136,12 @@ class MoveChecker {
     verdict_.witness.reset();
     if (!outcome.has_witness) return;
     const SearchTarget& target = targets[outcome.at.target];
-    const ToolPoint position = locate(outcome);
+    const ToolPoint position = locate(motion_, outcome);
     const ToolDistance at = evaluate(*target.tool, position.r, position.z);
     if (!(at.signed_distance_mm < target.reach_mm)) return;
     verdict_.depth_mm = target.reach_mm - at.signed_distance_mm;
     verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, verdict_.depth_mm);
-    verdict_.witness = witness(outcome, target, position, at);
+    verdict_.witness = make_witness(motion_, outcome, target, position, at);
     verdict_.reason = {};
     if (target.reach_mm > 0)
       verdict_.reason = {Reason::Kind::mesh_clearance_entered, verdict_.witness->body, verdict_.depth_mm};
@@ -152,7 +153,7 @@ class MoveChecker {
     if (!verdict_.witness || verdict_.witness->body == Body::cutter) return;
     const SearchTarget& target = whole_[outcome.at.target];
     const double tie = kTieShare * options_.resolution_mm;
-    const ToolPoint above = locate(outcome);
+    const ToolPoint above = locate(motion_, outcome);
     const BoundaryElement& element = target.tool->elements[evaluate(*target.tool, above.r, above.z).element];
     if (target.reach_mm > 0 || std::abs(element.a.x() - tool_.cutting.r_max_mm) > tie) return;
     const double upper_allows = verdict_.depth_upper_mm - query(options_, 0, 0).gap_mm;
@@ -163,45 +164,12 @@ class MoveChecker {
     bounds_ += found.bounds;
     if (!found.has_witness) return;
     found.t = outcome.t;
-    const ToolPoint position = locate(found);
+    const ToolPoint position = locate(motion_, found);
     const ToolDistance at = evaluate(*target.tool, position.r, position.z);
     if (target.tool->elements[at.element].body != Body::cutter || -at.signed_distance_mm < least) return;
     verdict_.depth_mm = -at.signed_distance_mm;
     verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, verdict_.depth_mm);
-    verdict_.witness = witness(found, target, position, at);
-  }
-
-  /// A surface point, in the coordinates of the tool at a pose.
-  struct ToolPoint {
-    Pose pose;
-    Vec3 out;  ///< unit direction from the tool axis to the point
-    double r = 0, z = 0;
-  };
-
-  // Uses the pose that any reader would compute from the file, so that the evidence can be checked by hand.
-  [[nodiscard]] ToolPoint locate(const SearchResult& outcome) const {
-    ToolPoint position;
-    position.pose = motion_.at(outcome.t);
-    const Vec3 from_tip = outcome.point - position.pose.tip;
-    position.z = from_tip.dot(position.pose.axis);
-    const Vec3 across = from_tip - position.z * position.pose.axis;
-    position.r = across.norm();
-    position.out = position.r > 0 ? Vec3(across / position.r) : position.pose.axis.unitOrthogonal();
-    return position;
-  }
-
-  [[nodiscard]] Witness witness(const SearchResult& outcome, const SearchTarget& target, const ToolPoint& position,
-                                const ToolDistance& at) const {
-    Witness result;
-    result.t = outcome.t;
-    result.turn = motion_.shares_at(outcome.t);
-    result.point = outcome.point;
-    result.normal = -(at.normal.x() * position.out + at.normal.y() * position.pose.axis).normalized();
-    result.body = target.tool->elements[at.element].body;
-    result.against = target.against;
-    result.mesh = target.first_mesh + static_cast<std::uint32_t>(target.tree->mesh_of(outcome.at.triangle));
-    result.triangle = target.tree->file_triangle(outcome.at.triangle);
-    return result;
+    verdict_.witness = make_witness(motion_, found, target, position, at);
   }
 
   // A depth beyond a strict limit is a gouge, so the whole depth is then computed to the resolution.
@@ -211,7 +179,7 @@ class MoveChecker {
     const SearchResult entered = finish(limit.targets, 0, limit.tolerance_mm, swept);
     if (!entered.has_witness) return;
     const SearchTarget& target = limit.targets[entered.at.target];
-    const ToolPoint position = locate(entered);
+    const ToolPoint position = locate(motion_, entered);
     const double depth_mm = target.reach_mm - signed_distance_mm(*target.tool, position.r, position.z);
     if (!(depth_mm > limit.tolerance_mm)) {
       // The tool touches, and apart from rounding no point is beyond the limit.
@@ -228,14 +196,14 @@ class MoveChecker {
   // A body beyond its limit is the evidence, although another body may be deeper within the tolerance.
   void show_limit(const StrictLimit& limit, const SearchResult& entered) {
     const SearchTarget& target = limit.targets[entered.at.target];
-    const ToolPoint position = locate(entered);
+    const ToolPoint position = locate(motion_, entered);
     const ToolDistance at = evaluate(*target.tool, position.r, position.z);
     const CompiledTool& whole_form = limit.of_mesh == nullptr ? tool_.*rule_of(target.against).form : *target.tool;
     const double depth = target.reach_mm - signed_distance_mm(whole_form, position.r, position.z);
     verdict_.reason = {reason_of(limit), target.tool->elements[at.element].body, entered.value_mm};
     if (!(depth > 0)) return;
     verdict_.depth_mm = depth;
-    verdict_.witness = witness(entered, target, position, at);
+    verdict_.witness = make_witness(motion_, entered, target, position, at);
   }
 
   static Reason::Kind reason_of(const StrictLimit& limit) {
@@ -289,12 +257,12 @@ class MoveChecker {
     if (!is_decided_) verdict_.reason = out_of_budget();
     verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - outcome.value_mm);
     if (verdict_.witness) return;
-    const ToolPoint position = locate(outcome);
+    const ToolPoint position = locate(motion_, outcome);
     // The surface may be in the tool, but no deeper than the tolerance: there the check for gouges stopped.
     const SearchTarget all = whole_[outcome.at.target];
     const ToolDistance in_all = evaluate(*all.tool, position.r, position.z);
     const SearchTarget& target = in_all.signed_distance_mm < 0 ? all : watched[outcome.at.target];
-    verdict_.witness = witness(outcome, target, position, evaluate(*target.tool, position.r, position.z));
+    verdict_.witness = make_witness(motion_, outcome, target, position, evaluate(*target.tool, position.r, position.z));
     verdict_.depth_mm = std::max(verdict_.depth_mm, -in_all.signed_distance_mm);
     verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, verdict_.depth_mm);
   }

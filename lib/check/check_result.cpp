@@ -74,6 +74,11 @@ void count_states(CheckResult& result) {
 
 }  // namespace
 
+std::span<const FurtherContact> CheckResult::further_of(std::size_t move) const {
+  const auto [first, last] = std::ranges::equal_range(further, move, {}, &FurtherContact::move);
+  return {first, last};
+}
+
 void summarise(const Toolpath& toolpath, CheckResult& result) {
   result.events = gather_events(toolpath, result.verdicts);
   count_states(result);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lib/check/closest_approach.h"
@@ -14,6 +15,16 @@
 #include "lib/path/toolpath.h"
 
 namespace gouge {
+
+/// A body that gouges an obstacle in a move whose verdict names another body or another obstacle.
+struct FurtherContact {
+  std::size_t move = 0;
+  Body body = Body::cutter;
+  Against against = Against::part;
+  double depth_mm = 0;             ///< depth of the witness in the body alone; 0: it is open whether the body gouges
+  double depth_upper_mm = 0;       ///< infinite: there is no bound
+  std::optional<Witness> witness;  ///< none: it is open whether the body gouges
+};
 
 /// Clean moves that turn a rotary joint, and how many of them are clean wherever the joints are between their ends.
 struct AnyTurnCounts {
@@ -75,7 +86,8 @@ struct ExcessFacts {
 /// The result for a whole path. verdicts.size() == toolpath.moves.size(); every move has exactly one state.
 struct CheckResult {
   MoveVerdicts verdicts;
-  std::vector<Event> events;  ///< in path order
+  std::vector<Event> events;            ///< in path order
+  std::vector<FurtherContact> further;  ///< in path order, those of a move by depth; empty if only moves were checked
   StateCounts counts;
   double worst_depth_mm = 0;
   std::size_t worst_move = static_cast<std::size_t>(-1);
@@ -90,6 +102,9 @@ struct CheckResult {
   std::optional<StockFacts> stock;                  ///< none: not requested
   std::optional<ExcessFacts> excess;                ///< none: not requested
   PathFit fit;                                      ///< Kind::fits if it was not requested
+
+  /// Returns the further contacts of a move.
+  [[nodiscard]] std::span<const FurtherContact> further_of(std::size_t move) const;
 };
 
 /// Computes the events, the counts and the worst move of a result anew from its verdicts.

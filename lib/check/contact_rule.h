@@ -15,22 +15,28 @@ namespace gouge {
 /// A form of the tool, with the offset for the obstacle that it is compared with.
 using ToolForm = CompiledTool ToolVariants::*;
 
+/// The bodies of a form, each alone.
+using FormAlone = BodiesAlone AloneVariants::*;
+
 /// Contact that an obstacle permits.
 struct ContactRule {
   Against against;
   const char* name;                                 ///< name in messages and results
   ToolForm form;                                    ///< form that the obstacle may enter at most by the tolerance
   ToolForm form_beside_cuts;                        ///< form that keeps the near-miss distance while the tool cuts
+  FormAlone alone;                                  ///< the bodies of `form`
   CertifiedDepths ToolVariants::*certified_depths;  ///< certified depths of `form`
   bool is_workpiece;  ///< true: the cutter makes its surface, so positions fit it and contact with it is intended
 };
 
 /// The contact rules, in the order of Against.
 inline constexpr std::array<ContactRule, 3> kContactRules{{
-    {Against::part, "part", &ToolVariants::against_part, &ToolVariants::non_cutting, &ToolVariants::part_depths, true},
+    {Against::part, "part", &ToolVariants::against_part, &ToolVariants::non_cutting, &AloneVariants::against_part,
+     &ToolVariants::part_depths, true},
     {Against::fixture, "fixture", &ToolVariants::against_fixture, &ToolVariants::against_fixture,
-     &ToolVariants::fixture_depths, false},
-    {Against::stock, "stock", &ToolVariants::bare, &ToolVariants::bare, &ToolVariants::part_depths, false},
+     &AloneVariants::against_fixture, &ToolVariants::fixture_depths, false},
+    {Against::stock, "stock", &ToolVariants::bare, &ToolVariants::bare, &AloneVariants::bare,
+     &ToolVariants::part_depths, false},
 }};
 
 [[nodiscard]] inline const ContactRule& rule_of(Against against) {

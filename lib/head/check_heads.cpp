@@ -57,12 +57,21 @@ std::pair<RigidTransform, RigidTransform> ends_of(const Toolpath& toolpath, std:
 }  // namespace
 
 HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene)
-    : heads_(heads), sides_(scene.sides()), obstacles_(scene.obstacles()) {
+    : HeadChecker(heads, scene, scene.obstacles()) {}
+
+HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene, Against against)
+    : HeadChecker(heads, scene, {&scene.obstacle(against), 1}) {}
+
+HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene,
+                         std::span<const PreparedObstacle> obstacles)
+    : heads_(heads), sides_(scene.sides()), obstacles_(obstacles) {
   Group all;
   for (const PreparedObstacle& obstacle : obstacles_) all.targets.push_back({&obstacle.tree, 0});
   groups_.push_back(std::move(all));
-  for (const LimitedMesh& mesh : scene.limited_meshes())
-    groups_.push_back({{{mesh.tree, mesh.limit.clearance_mm}}, mesh.limit});
+  for (const LimitedMesh& mesh : scene.limited_meshes()) {
+    const bool is_asked = mesh.obstacle >= obstacles_.data() && mesh.obstacle < obstacles_.data() + obstacles_.size();
+    if (is_asked) groups_.push_back({{{mesh.tree, mesh.limit.clearance_mm}}, mesh.limit});
+  }
 }
 
 double HeadChecker::Group::tolerance_mm(const CheckOptions& options) const {

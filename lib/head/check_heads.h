@@ -42,6 +42,8 @@ class HeadChecker {
  public:
   /// Prepares the checker. Requires scene.is_within_reach.
   HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene);
+  /// Prepares a checker against one of the obstacles. Only `sweep` and `sweep_all` may be called.
+  HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene, Against against);
 
   /// Combines the result of the heads during a motion with the verdict on the tool. Returns the number of bounds. The
   /// deeper witness stays; a gouge of either is a gouge; the motion is clean only if both are.
@@ -80,6 +82,9 @@ class HeadChecker {
   };
 
   class AnyTurn;
+
+  HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene,
+              std::span<const PreparedObstacle> obstacles);
 
   /// `reach_mm`: distance by which all surfaces are moved towards the heads.
   void search_group(const Group& group, const HeadBody& head, std::span<const Motion> motions,

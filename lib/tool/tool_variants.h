@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 
@@ -8,6 +9,15 @@
 #include "lib/tool/tilted_tools.h"
 
 namespace gouge {
+
+/// The cutter, the shank and the holder of a tool, each as a solid of its own: it is closed where it meets the next body.
+/// No elements: the tool has no such body.
+using BodiesAlone = std::array<std::shared_ptr<const CompiledTool>, 3>;
+
+/// The bodies of the variants that a check needs. Equal bodies are one object.
+struct AloneVariants {
+  BodiesAlone bare, against_part, against_fixture;
+};
 
 /// The offset variants of one tool that a check needs. Their offsets are the clearances and the stock to leave
 /// (rounded). `toolmodels` makes the variants. Equal variants may be copies.
@@ -25,6 +35,8 @@ struct ToolVariants {
   /// The tool with every body wider by the diameter of the cutter. It contains all places of the tool if the tip is up
   /// to one diameter beside a motion. Null: not made.
   std::shared_ptr<const ToolVariants> wide;
+  /// The bodies of bare, against_part and against_fixture. Null: not made.
+  std::shared_ptr<const AloneVariants> alone;
   /// The tool swept over tilts. Null: not made.
   std::shared_ptr<const TiltedTools> tilted;
 

@@ -29,15 +29,26 @@ struct ClaimedWitness {
   bool is_stock = false;             ///< a point of remaining stock, which has neither mesh nor triangle
 };
 
+/// A body that gouges an obstacle in a move whose witness is of another body or obstacle. Its depth is that in the body
+/// alone.
+struct FurtherClaim {
+  Body body = Body::cutter;
+  bool is_fixture = false;
+  double depth_mm = 0;
+  std::optional<double> depth_upper_mm;   ///< nothing: unbounded
+  std::optional<ClaimedWitness> witness;  ///< nothing: it is open whether the body gouges
+};
+
 struct MoveClaim {
   ClaimedState state = ClaimedState::clean;
   double depth_mm = 0;
   std::optional<double> depth_upper_mm;  ///< nothing: unbounded, or bounded by the state alone (clean)
   std::optional<double> clearance_mm;
   std::optional<ClaimedWitness> witness;
+  std::vector<FurtherClaim> further;
 };
 
-/// Further claims about one mesh.
+/// Claims about one mesh.
 struct ClaimedLimit {
   bool is_fixture = true;
   std::size_t mesh = 0;

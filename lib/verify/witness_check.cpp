@@ -25,10 +25,21 @@ const ClaimedLimit* limit_of(const ClaimedScene& scene, const ClaimedWitness& wi
   return found == scene.limits.end() ? nullptr : &*found;
 }
 
+/// The contours that a witness refers to.
+struct Forms {
+  const ToolContour& form;  ///< with the offsets against its obstacle
+  const ToolContour& bare;
+};
+
+Forms whole_forms(const ClaimedTool& tool, bool is_fixture) {
+  return {is_fixture ? tool.fixture : tool.part, tool.bare};
+}
+
 class WitnessChecker {
  public:
-  WitnessChecker(const ClaimedScene& scene, const ClaimedTool& tool, std::size_t move, const MoveClaim& claim)
-      : scene_(scene), tool_(tool), move_(move), claim_(claim), w_(*claim.witness) {}
+  WitnessChecker(const ClaimedScene& scene, const ClaimedTool& tool, const Forms& forms, std::size_t move,
+                 const MoveClaim& claim)
+      : scene_(scene), tool_(tool), forms_(forms), move_(move), claim_(claim), w_(*claim.witness) {}
 
   std::optional<std::string> fault() const {
     if (!(w_.t >= 0 && w_.t <= 1)) return "its instant is not of the move";
@@ -61,13 +72,12 @@ class WitnessChecker {
   }
 
   [[nodiscard]] Pose pose() const { return claimed_pose(scene_, move_, w_.t, w_.turn); }
-  [[nodiscard]] const ToolContour& contour() const { return w_.is_fixture ? tool_.fixture : tool_.part; }
 
   /// Returns the depth after the tool is moved away by `shift`.
   [[nodiscard]] double depth_with(const Vec3& shift) const {
     if (w_.body == Body::head)
       return depth_in_heads(scene_, head_frame(scene_, move_, w_.t, w_.turn), w_.point - shift);
-    const double distance = contour().nearest(in_tool(pose(), w_.point - shift)).signed_distance_mm;
+    const double distance = forms_.form.nearest(in_tool(pose(), w_.point - shift)).signed_distance_mm;
     return std::max(0.0, -distance);
   }
 
@@ -79,7 +89,7 @@ class WitnessChecker {
     const Vec3 point = w_.point - shift;
     const double distance = w_.body == Body::head
                                 ? distance_from_heads(scene_, head_frame(scene_, move_, w_.t, w_.turn), point)
-                                : tool_.bare.nearest(in_tool(pose(), point)).signed_distance_mm;
+                                : forms_.bare.nearest(in_tool(pose(), point)).signed_distance_mm;
     return std::max(0.0, limit->clearance_mm - distance);
   }
 
@@ -102,7 +112,7 @@ class WitnessChecker {
     const double left = depth_with(claim_.depth_mm * w_.normal);
     if (left > kExact_mm) return "the point is still " + mm(left) + " deep after the tool has given way";
     if (w_.body == Body::head) return std::nullopt;
-    const double away = contour().distance_to(w_.body, in_tool(pose(), w_.point));
+    const double away = forms_.form.distance_to(w_.body, in_tool(pose(), w_.point));
     const bool is_its_body = is_near(away, claim_.depth_mm) || tool_.clearance.has(in_tool(pose(), w_.point));
     if (!is_its_body) return "the surface of the body it names is " + mm(away) + " away";
     return std::nullopt;
@@ -116,12 +126,39 @@ class WitnessChecker {
 
   const ClaimedScene& scene_;
   const ClaimedTool& tool_;
+  Forms forms_;
   std::size_t move_;
   const MoveClaim& claim_;
   const ClaimedWitness& w_;
 };
 
+/// Returns why the depth of a claim is no gouge; nothing: it is one.
+std::optional<std::string> find_no_gouge(const ClaimedScene& scene, const ClaimedTool& tool, std::size_t move,
+                                         const MoveClaim& claim) {
+  if (claim.depth_mm > scene.tolerance_mm) return std::nullopt;
+  const Vec2 at = in_tool(claimed_pose(scene, move, claim.witness->t, claim.witness->turn), claim.witness->point);
+  if (tool.clearance.has(at)) return std::nullopt;
+  const ClaimedLimit* limit = limit_of(scene, *claim.witness);
+  if (limit != nullptr && claim.depth_mm > limit->tolerance_mm) return std::nullopt;
+  return "its depth is no more than the tolerance";
+}
+
 }  // namespace
+
+ClaimedTool::ClaimedTool(const ToolVariants& tool)
+    : bare(tool.bare),
+      part(tool.against_part),
+      fixture(tool.against_fixture),
+      clearance(tool.with_clearance),
+      non_cutting(tool.non_cutting) {
+  if (tool.alone == nullptr) return;
+  const auto take = [](const BodiesAlone& bodies, std::vector<ToolContour>& contours) {
+    for (const std::shared_ptr<const CompiledTool>& body : bodies) contours.emplace_back(*body);
+  };
+  take(tool.alone->bare, bare_alone);
+  take(tool.alone->against_part, part_alone);
+  take(tool.alone->against_fixture, fixture_alone);
+}
 
 ClaimedTools claimed_tools(const ClaimedScene& scene) {
   ClaimedTools tools;
@@ -163,13 +200,31 @@ std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const C
   if (claim.state == ClaimedState::buried) return std::nullopt;  // a result states no depth of its witness
   if (!claim.witness) return "it has no witness";
   if (tool >= tools.size() || !tools[tool]) return "its tool is not defined";
-  if (auto fault = WitnessChecker(scene, *tools[tool], move, claim).fault()) return fault;
-  if (claim.state != ClaimedState::gouge || claim.depth_mm > scene.tolerance_mm) return std::nullopt;
-  const Vec2 at = in_tool(claimed_pose(scene, move, claim.witness->t, claim.witness->turn), claim.witness->point);
-  if (tools[tool]->clearance.has(at)) return std::nullopt;
-  const ClaimedLimit* limit = limit_of(scene, *claim.witness);
-  if (limit != nullptr && claim.depth_mm > limit->tolerance_mm) return std::nullopt;
-  return "its depth is no more than the tolerance";
+  const Forms forms = whole_forms(*tools[tool], claim.witness->is_fixture);
+  if (auto fault = WitnessChecker(scene, *tools[tool], forms, move, claim).fault()) return fault;
+  if (claim.state != ClaimedState::gouge) return std::nullopt;
+  return find_no_gouge(scene, *tools[tool], move, claim);
+}
+
+std::optional<std::string> find_further_fault(const ClaimedScene& scene, const ClaimedTools& tools, std::size_t move,
+                                              const FurtherClaim& further) {
+  const std::size_t tool = scene.path.moves[move].tool;
+  if (!further.witness) return std::nullopt;  // no depth is stated
+  if (!(further.depth_mm <= further.depth_upper_mm.value_or(1e300))) return "its depth is more than its bound";
+  const ClaimedWitness& w = *further.witness;
+  if (w.is_stock || w.body != further.body || w.is_fixture != further.is_fixture)
+    return "its body or its obstacle is another one";
+  if (tool >= tools.size() || !tools[tool]) return "its tool is not defined";
+  const ClaimedTool& of = *tools[tool];
+  const auto body = static_cast<std::size_t>(w.body);
+  if (w.body != Body::head && (of.bare_alone.size() <= body || of.bare_alone[body].empty()))
+    return "its tool has no such body";
+  const MoveClaim claim{ClaimedState::gouge, further.depth_mm, further.depth_upper_mm, {}, w, {}};
+  const Forms forms = w.body == Body::head
+                          ? whole_forms(of, w.is_fixture)
+                          : Forms{(w.is_fixture ? of.fixture_alone : of.part_alone)[body], of.bare_alone[body]};
+  if (auto fault = WitnessChecker(scene, of, forms, move, claim).fault()) return fault;
+  return find_no_gouge(scene, of, move, claim);
 }
 
 }  // namespace gouge

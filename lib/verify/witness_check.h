@@ -16,13 +16,10 @@ namespace gouge {
 
 /// The contours of a tool that a claim can refer to.
 struct ClaimedTool {
-  explicit ClaimedTool(const ToolVariants& tool)
-      : bare(tool.bare),
-        part(tool.against_part),
-        fixture(tool.against_fixture),
-        clearance(tool.with_clearance),
-        non_cutting(tool.non_cutting) {}
+  explicit ClaimedTool(const ToolVariants& tool);
   ToolContour bare, part, fixture, clearance, non_cutting;
+  /// The bodies of bare, part and fixture, each alone; empty: they were not made.
+  std::vector<ToolContour> bare_alone, part_alone, fixture_alone;
 };
 using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< one for each entry of Toolpath::tools; null: not
                                                                  ///< defined
@@ -41,5 +38,9 @@ using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< one for ea
 /// Returns the reason why a claim about a witness, or one of its numbers, is wrong; nothing if it is correct.
 [[nodiscard]] std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const ClaimedTools& tools,
                                                             std::size_t move, const MoveClaim& claim);
+
+/// Returns the same about a further contact of a gouging move.
+[[nodiscard]] std::optional<std::string> find_further_fault(const ClaimedScene& scene, const ClaimedTools& tools,
+                                                            std::size_t move, const FurtherClaim& further);
 
 }  // namespace gouge

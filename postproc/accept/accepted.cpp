@@ -250,6 +250,10 @@ class Accepter {
       if (!move->depth_upper_mm || *move->depth_upper_mm > *move->depth_mm + gap_mm)
         return "the depth of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
                ") is not certified to the resolution";
+      for (const FurtherRecord& further : move->further)
+        if (!further.depth_mm || !further.depth_upper_mm || *further.depth_upper_mm > *further.depth_mm + gap_mm)
+          return "the depth of the " + std::string(body_name(further.body)) + " in move " + std::to_string(move->move) +
+                 " (line " + std::to_string(move->line) + ") is not certified to the resolution";
       if (!move->reason.empty() && !is_text_of_limit(move->reason))
         return "move " + std::to_string(move->move) + " (line " + std::to_string(move->line) + ") " +
                more_text(move->reason);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/path/toolpath.h"
+#include "postproc/compare/contact_depth.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -127,15 +128,15 @@ class AbsenceJudge {
     if (found->state == MoveState::not_checked || found->state == MoveState::not_certified)
       return line + "is " + (found->state == MoveState::not_checked ? "not checked: " : "not certified: ") +
              found->reason;
-    // A motion reports only its deepest body.
-    const bool is_other =
-        !found->witness || found->witness->body != finding_.body || found->witness->against != finding_.against;
-    if (is_other && (!found->witness || move_depth(*found) > before_.options.tolerance_mm))
-      return line + "now gouges with another body, which may hide it";
-    return std::nullopt;
+    if (found->state != MoveState::gouge || !found->witness) return line + "is buried now, which may hide it";
+    if (found->witness->body == finding_.body && found->witness->against == finding_.against) return std::nullopt;
+    // Of a move that gouges a part or a fixture, no depth in stock is stated.
+    if (finding_.against == Against::stock) return line + "now gouges with another body, which may hide it";
+    const std::optional<DepthBounds> still = contact_depth(*found, finding_.body, finding_.against);
+    if (!still || still->high_mm <= before_.options.tolerance_mm) return std::nullopt;
+    return line + (still->low_mm > 0 ? "gouges with it too, below" : "may gouge with it too, below") +
+           " a deeper gouge of another body or obstacle";
   }
-
-  [[nodiscard]] static double move_depth(const MoveRecord& move) { return move.depth_mm.value_or(0); }
 
   const StoredResult& before_;
   const StoredResult& after_;

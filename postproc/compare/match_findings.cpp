@@ -9,14 +9,15 @@
 #include <utility>
 
 #include "lib/path/toolpath.h"
+#include "postproc/compare/contact_depth.h"
 
 namespace gouge {
-
-namespace {
 
 bool is_alike(const EventRecord& a, const EventRecord& b) {
   return a.tool == b.tool && a.body == b.body && a.against == b.against;
 }
+
+namespace {
 
 // Returns the findings of one run whose motions do not occur in the other run.
 std::vector<std::size_t> without_motion(const StoredResult& result, const std::vector<std::size_t>& other_move) {
@@ -55,11 +56,17 @@ class Matcher {
         const std::size_t other = motions_.after_to_before[move->move];
         if (other == kNone) continue;
         for (const std::size_t k : finding_of[other]) {
-          if (is_alike(before_.findings[k], after_.findings[n])) found.insert(k);
+          if (states(before_.findings[k], other, after_.findings[n])) found.insert(k);
         }
       }
       matched_[n].assign(found.begin(), found.end());
     }
+  }
+
+  /// Returns whether a move of an earlier finding states the contact of a new finding, if only as a further one.
+  [[nodiscard]] bool states(const EventRecord& earlier, std::size_t move, const EventRecord& finding) const {
+    return is_alike(earlier, finding) || (earlier.tool == finding.tool && earlier.state == MoveState::gouge &&
+                                          contact_depth(*before_.find_move(move), finding.body, finding.against));
   }
 
   // Matches a finding with the nearest old one that has the same statement.

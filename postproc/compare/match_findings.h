@@ -27,8 +27,12 @@ struct MotionAlignment {
 /// the same statement.
 inline constexpr double kSamePlace_mm = 1, kSameStatement_mm = 10;
 
+/// Returns whether two findings have the same tool, body and counterpart.
+[[nodiscard]] bool is_alike(const EventRecord& a, const EventRecord& b);
+
 /// Returns, for each finding of the new run, the matching findings of the old run, in order. All have the same tool,
-/// body and counterpart. They match by the motions that gouge in both runs. A finding whose motions do not occur in the
+/// body and counterpart, or a move of the old finding states the body and counterpart as a further contact. They match
+/// by the motions that gouge in both runs. A finding whose motions do not occur in the
 /// other run matches by statement and place, then by place alone. If the motions of an old finding are still checked,
 /// another motion at its place is a new finding.
 [[nodiscard]] std::vector<std::vector<std::size_t>> match_findings(const StoredResult& before,

@@ -106,6 +106,10 @@ class LeafLister {
   void object_if_any(const char* key, const std::optional<Record>& value) {
     optional_object(key, value);
   }
+  template <typename Record>
+  void list_if_any(const char* key, const std::vector<Record>& values) {
+    list(key, values);
+  }
 
  private:
   void add_text(std::string_view key, std::string_view value) {

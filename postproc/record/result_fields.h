@@ -322,6 +322,15 @@ void describe(F& f, R& r) {
   f.object_if_any("turn", r.turn);
 }
 
+template <typename F, RecordOf<FurtherRecord> R>
+void describe(F& f, R& r) {
+  f.word("body", r.body, body_words());
+  f.word("against", r.against, against_words());
+  f.optional_length("depth", r.depth_mm, Sign::non_negative);
+  f.optional_length("depth_upper", r.depth_upper_mm, Sign::non_negative);
+  f.optional_object("witness", r.witness);
+}
+
 template <typename F, RecordOf<MoveRecord> R>
 void describe(F& f, R& r) {
   f.count("move", r.move);
@@ -338,6 +347,7 @@ void describe(F& f, R& r) {
   f.optional_length("overcut_upper", r.overcut_upper_mm, Sign::non_negative);
   f.optional_length("clearance", r.clearance_mm, Sign::non_negative);
   f.optional_object("witness", r.witness);
+  f.list_if_any("further", r.further);
   f.text("reason", r.reason);
 }
 

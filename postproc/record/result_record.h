@@ -187,6 +187,15 @@ struct WitnessRecord {
   std::optional<TurnRecord> turn{};  ///< none: the tool axis is that of the law at `t`
 };
 
+/// A body that gouges an obstacle in a move whose witness is of another body or another obstacle.
+struct FurtherRecord {
+  Body body = Body::cutter;
+  Against against = Against::part;
+  std::optional<double> depth_mm;        ///< in the body alone; none: it is open whether the body gouges
+  std::optional<double> depth_upper_mm;  ///< none: there is no bound
+  std::optional<WitnessRecord> witness;  ///< none: no depth
+};
+
 /// Data of a move that is not clean.
 struct MoveRecord {
   std::size_t move = 0, line = 0;
@@ -198,6 +207,7 @@ struct MoveRecord {
   std::optional<double> overcut_mm, overcut_upper_mm;  ///< none: not measured
   std::optional<double> clearance_mm;
   std::optional<WitnessRecord> witness;
+  std::vector<FurtherRecord> further;  ///< the deepest first
   std::string reason;
 };
 

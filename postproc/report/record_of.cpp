@@ -266,6 +266,20 @@ class RecordMaker {
     return std::string(text);
   }
 
+  [[nodiscard]] WitnessRecord witness(const Witness& w) const {
+    WitnessRecord record{w.t, w.point, w.normal, w.body, w.against, mesh_name(model_, w), w.triangle, {}};
+    if (w.turn) record.turn = {(*w.turn)[0], (*w.turn)[1]};
+    return record;
+  }
+
+  [[nodiscard]] FurtherRecord further(const FurtherContact& contact) const {
+    FurtherRecord record{contact.body, contact.against, {}, finite(contact.depth_upper_mm), {}};
+    if (!contact.witness) return record;
+    record.depth_mm = contact.depth_mm;
+    record.witness = witness(*contact.witness);
+    return record;
+  }
+
   [[nodiscard]] MoveRecord move(std::size_t i) const {
     const MoveVerdict& verdict = result_.verdicts[i];
     const Move& move = path_.moves[i];
@@ -287,10 +301,8 @@ class RecordMaker {
       record.overcut_upper_mm = finite(verdict.overcut->upper_mm);
     }
     record.clearance_mm = verdict.clearance_mm.optional();
-    if (const Boxed<Witness>& w = verdict.witness) {
-      record.witness = {w->t, w->point, w->normal, w->body, w->against, mesh_name(model_, *w), w->triangle, {}};
-      if (w->turn) record.witness->turn = {(*w->turn)[0], (*w->turn)[1]};
-    }
+    if (verdict.witness) record.witness = witness(*verdict.witness);
+    for (const FurtherContact& contact : result_.further_of(i)) record.further.push_back(further(contact));
     record.reason = reason_text(verdict.reason);
     return record;
   }

@@ -5,6 +5,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
+#include "postproc/report/further_text.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {
@@ -45,15 +46,15 @@ std::string clearance_phrase(const ReportModel& model, const Witness& witness) {
   return " and its clearance of " + depth_text(clearance_mm, model.toolpath->unit, model.options);
 }
 
-std::string counterpart(const ReportModel& model, const Witness& witness) {
+}  // namespace
+
+std::string counterpart_text(const ReportModel& model, const Witness& witness) {
   const std::string name = mesh_name(model, witness);
   const bool is_plain = witness.against == Against::part && model.parts.size() < 2;
   if (is_plain || witness.against == Against::stock) return {};
   return " against " + std::string(against_name(witness.against)) + (name.empty() ? "" : " " + name) +
          clearance_phrase(model, witness);
 }
-
-}  // namespace
 
 std::string grouped_text(std::size_t count) {
   std::string text = std::to_string(count);
@@ -277,25 +278,6 @@ std::string event_name(const ReportModel& model, const Event& event) {
   return std::string(body_name(event.body)) + " in stock";
 }
 
-// Returns the remark about stock of the move of a finding that is deepest in it; empty if none has one.
-static std::string stock_too(const CheckResult& result, const Event& event) {
-  if (event.state != MoveState::gouge) return {};
-  const Reason* worst = nullptr;
-  std::size_t moves = 0, of = 0;
-  for (std::size_t move = event.first_move; move <= event.last_move; ++move) {
-    const Reason& reason = result.verdicts[move].reason;
-    if (!reason.is_stock_too()) continue;
-    ++moves;
-    if (worst != nullptr && reason.amount() <= worst->amount()) continue;
-    worst = &reason;
-    of = move;
-  }
-  if (worst == nullptr) return {};
-  const std::string where =
-      event.moves == 1 ? "" : count_text(moves, "move") + ", the worst is move " + std::to_string(of) + ": ";
-  return "; " + where + reason_text(*worst);
-}
-
 std::string event_text(const ReportModel& model, const Event& event) {
   const LengthUnit unit = model.toolpath->unit;
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
@@ -312,10 +294,10 @@ std::string event_text(const ReportModel& model, const Event& event) {
     text += "(at most " + depth_text(verdict.depth_upper_mm, unit, model.options) + ") ";
   text += tool_phrase(model, event);
   if (!verdict.witness) return text + move;
-  text += counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +
+  text += counterpart_text(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +
           " t=" + instant_text(verdict.witness->t);
   if (verdict.reason.is(Reason::Kind::stock_met)) return text + ", " + reason_text(verdict.reason);
-  return text + stock_too(*model.result, event);
+  return text + further_text(model, event) + stock_too_text(*model.result, event);
 }
 
 std::string span_text(const Event& event) {

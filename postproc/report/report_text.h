@@ -86,6 +86,9 @@ struct UncutTotal {
 /// Returns none if the move has no statement or the file is not text.
 [[nodiscard]] std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move);
 
+/// Returns " against fixture vise.stl", with the mesh's clearance. Empty for the only part, and for stock.
+[[nodiscard]] std::string counterpart_text(const ReportModel& model, const Witness& witness);
+
 /// Returns one finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);
 /// Returns " (7 moves, 118-124)", or nothing if the event is one move.

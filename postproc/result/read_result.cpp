@@ -63,7 +63,12 @@ class RecordJudge {
       return field.at("depth_upper").fail("no less than the depth");
     if (move.overcut_mm && move.overcut_upper_mm && *move.overcut_upper_mm < *move.overcut_mm)
       return field.at("overcut_upper").fail("no less than the overcut");
-    if (!move.witness) field.at("witness").fail("the witness of a gouge");
+    if (!move.witness) return field.at("witness").fail("the witness of a gouge");
+    for (std::size_t k = 0; k < move.further.size(); ++k) {
+      const FurtherRecord& further = move.further[k];
+      if (further.depth_mm.has_value() == further.witness.has_value()) continue;
+      return field.at("further").list()[k].at("witness").fail("a witness if there is a depth");
+    }
   }
 
   void judge_events() {
