@@ -13,7 +13,7 @@ cd "$ROOT" || exit 2
 [ -z "$(git status --porcelain)" ] || { echo "the checkout has changes; commit them first" >&2; exit 2; }
 LOGS=$ROOT/build/release_checks/$(git rev-parse --short HEAD)
 mkdir -p "$LOGS"
-export ROOT LOGS
+export ROOT LOGS CTEST_PARALLEL_LEVEL=$(nproc)
 
 # make_check NAME COMMAND: runs a command unless it has passed before, and keeps its output and its times.
 make_check() {
@@ -45,6 +45,7 @@ list_laws() {
       "--gtest_filter='CorrectionLaws.HoldFor*Programs*:CorrectionLaws.HoldUnder*'"
     echo "tilts_$part GOUGE_FIRST_TILT=$((250 * part)) GOUGE_TILTS=250 $laws --gtest_filter='TiltLaw.*'"
   done
+  echo "further GOUGE_FURTHER=20000 $laws --gtest_filter='FurtherLaw.*'"
   echo "overcuts_GreatCircle GOUGE_OVERCUTS=25000 $laws --gtest_filter='OvercutLaw.HoldsAgainst*'"
   echo "overcuts_joints GOUGE_OVERCUTS=25000 $laws --gtest_filter='OvercutLaw.HoldsWhere*'"
 }

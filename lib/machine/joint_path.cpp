@@ -215,8 +215,17 @@ JointProblem exceeded_limit(const Machine& machine, const RotarySolutions& solut
   return problem;
 }
 
-std::string joint_value_text(const Joint& joint, double value) {
-  return is_rotary(joint) ? display_text(value / kDegree_rad, 3) + " degrees" : display_text(value, 3) + " mm";
+std::string joint_value_text(const Joint& joint, double value, int decimals) {
+  return is_rotary(joint) ? display_text(value / kDegree_rad, decimals) + " degrees"
+                          : display_text(value, decimals) + " mm";
+}
+
+// Returns the decimals with which two values of a joint differ, three at least.
+static int decimals_apart(const Joint& joint, double a, double b) {
+  constexpr int kFewest = 3, kMost = 9;
+  int decimals = kFewest;
+  while (decimals < kMost && joint_value_text(joint, a, decimals) == joint_value_text(joint, b, decimals)) ++decimals;
+  return decimals;
 }
 
 std::string problem_text(const Machine& machine, const JointProblem& problem) {
@@ -225,8 +234,9 @@ std::string problem_text(const Machine& machine, const JointProblem& problem) {
   if (problem.kind == Kind::undecided)
     return "joint " + joint.name + " may turn by " + joint_value_text(joint, problem.value) +
            " or another way that is equally near; add a position between, or set limits";
-  return "joint " + joint.name + " would be at " + joint_value_text(joint, problem.value) + "; its limit is " +
-         joint_value_text(joint, problem.limit);
+  const int decimals = decimals_apart(joint, problem.value, problem.limit);
+  return "joint " + joint.name + " would be at " + joint_value_text(joint, problem.value, decimals) +
+         "; its limit is " + joint_value_text(joint, problem.limit);
 }
 
 JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath, bool is_turn_needed) {

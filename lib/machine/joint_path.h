@@ -26,7 +26,7 @@ struct JointProblem {
 };
 
 /// Returns a value of a joint as text: "31 degrees", "250 mm".
-[[nodiscard]] std::string joint_value_text(const Joint& joint, double value);
+[[nodiscard]] std::string joint_value_text(const Joint& joint, double value, int decimals = 3);
 /// Returns a problem of one position as text: "joint A would be at 31 degrees; its limit is 30 degrees". Requires a
 /// kind of a position: unreachable, limit or undecided.
 [[nodiscard]] std::string problem_text(const Machine& machine, const JointProblem& problem);
