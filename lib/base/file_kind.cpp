@@ -156,8 +156,8 @@ bool begins_a_line(std::string_view text, std::span<const std::string_view> word
 }
 
 bool looks_like_cl_data(std::string_view text) {
-  constexpr auto kWords =
-      std::to_array<std::string_view>({"GOTO", "TOOL PATH/", "PARTNO", "LOADTL", "CUTTER", "MULTAX", "UNITS"});
+  constexpr auto kWords = std::to_array<std::string_view>(
+      {"GOTO/", "GOTO /", "TOOL PATH/", "PARTNO", "LOADTL", "CUTTER", "MULTAX", "UNITS"});
   return begins_a_line(text, kWords);
 }
 

@@ -126,6 +126,8 @@ void KlartextRun::run_block(const KlartextBlock& block) {
   runner_.begin_line(line);
   if (!block.error.empty()) runner_.lose_rest(block.error);
   if (!motion_.is_rest_unknown() && run_flow(block.text)) return;
+  std::string_view text = block.text;
+  if (!calls_.empty() && take_keywords(text, "END PGM")) lose_open_call();
   runner_.run(block, line, is_corner_next());
 }
 
@@ -169,6 +171,10 @@ void KlartextRun::meet_label(std::string_view text) {
   std::erase_if(repeats_, [&](const Repeat& one) { return one.depth > calls_.size(); });
 }
 
+void KlartextRun::lose_open_call() {
+  runner_.lose_rest("the program ends within the subprogram of label " + calls_.back().label + "; expected LBL 0");
+}
+
 std::optional<std::size_t> KlartextRun::place_of(const std::string& label) {
   const auto found = labels_.find(label);
   if (found != labels_.end() && found->second.size() == 1) return found->second.front();
@@ -193,7 +199,7 @@ void KlartextRun::call_label(std::string_view text) {
   }
   if (!text.empty()) return runner_.lose_rest("'" + std::string(text.substr(0, 20)) + "' has no place in CALL LBL");
   if (calls_.size() >= kMaxCalls) return runner_.lose_rest("subprograms call each other without an end");
-  calls_.push_back({next_});
+  calls_.push_back({next_, name});
   next_ = *place;
 }
 

@@ -27,6 +27,7 @@ class KlartextRun {
   /// A subprogram that runs (its return), or a section that repeats.
   struct Call {
     std::size_t back = 0;
+    std::string label;
   };
   struct Repeat {
     std::size_t at = 0, depth = 0;
@@ -38,6 +39,7 @@ class KlartextRun {
   [[nodiscard]] bool run_flow(std::string_view text);
   void meet_label(std::string_view text);
   void call_label(std::string_view text);
+  void lose_open_call();
   void repeat(const std::string& label, int times);
   void assign(std::string_view text);
   void run_function(std::string_view text);

@@ -83,11 +83,7 @@ void KlartextRunner::run_statement(std::string_view text) {
   if (is_line && run_path_statement(text)) return;
   if (take_keywords(text, "BEGIN PGM")) return begin_program(text);
   if (has_ended_) return lose_rest("a block behind the end of the program");
-  if (take_keywords(text, "END PGM")) {
-    has_ended_ = true;
-    facts_.end_line = line_;
-    return;
-  }
+  if (take_keywords(text, "END PGM")) return end_program(text);
   if (!has_begun_ && line_ > 0) return lose_rest(first_word(text) + " stands before BEGIN PGM");
   if (line_ == 0 && take_start_fact(text)) return;
   if (take_keywords(text, "TOOL CALL")) return call_tool(text);
@@ -175,10 +171,20 @@ void KlartextRunner::begin_program(std::string_view text) {
   const bool is_mm = text.ends_with(" MM"), is_inch = text.ends_with(" INCH");
   if (!is_mm && !is_inch) return lose_rest("BEGIN PGM states no name, or neither MM nor INCH");
   has_begun_ = true;
+  head_ = text;
   unit_ = is_mm ? LengthUnit::mm : LengthUnit::inch;
   facts_.unit_line = line_;
   input_.path.unit = unit_;
   input_.path.is_unit_stated = true;
+}
+
+// The control writes the same name and unit into the first and the last block.
+void KlartextRunner::end_program(std::string_view text) {
+  if (!text.empty() && text != head_)
+    return lose_rest("END PGM " + std::string(text) + " does not end BEGIN PGM " + head_ +
+                     ", so a part of the file may be missing");
+  has_ended_ = true;
+  facts_.end_line = line_;
 }
 
 // Source: iTNC 530 60642x-04, TOOL CALL: number or name, tool axis, S, F, DL, DR, DR2.

@@ -62,6 +62,7 @@ class KlartextRunner {
   bool run_path_statement(std::string_view text);
   void note_moved_axes(const Vec3& before);
   void begin_program(std::string_view text);
+  void end_program(std::string_view text);
   void call_tool(std::string_view text);
   void define_tool(std::string_view text);
   void run_functions(std::string_view text);
@@ -154,6 +155,7 @@ class KlartextRunner {
   bool has_several_lines_ = false;      // the block that runs
   bool has_preset_ = false;
   bool has_begun_ = false, has_ended_ = false;
+  std::string head_;             // name and unit behind BEGIN PGM
   bool is_cut_ = false;          // a block follows that rounds the end of this motion
   bool was_cut_ = false;         // the last block was such a motion
   bool follows_corner_ = false;  // the last block has rounded a corner

@@ -37,6 +37,11 @@ std::optional<int> take_last_number(std::string_view text) {
   return number && *number >= 0 && *number <= kLargest ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
+char first_of(std::string_view line) {
+  line = trim_blanks(line);
+  return line.empty() ? '\0' : line[0];
+}
+
 std::string_view without_number(std::string_view line) {
   if (!line.starts_with('N')) return line;
   return trim_blanks(line.substr(std::min(line.find_first_not_of(" 0123456789", 1), line.size())));
@@ -94,6 +99,7 @@ void ProgramRun::run_macro(std::string_view flow) {
       }
     }
   } else if (take_word(text, "WHILE")) {
+    if (const std::string& fault = loops_of_macro().fault(); !fault.empty()) return lose(fault);
     const auto holds = condition(text);
     if (!holds) return;
     if (take_word(text, "DO")) {
@@ -102,6 +108,7 @@ void ProgramRun::run_macro(std::string_view flow) {
       if (number) return end_loop(*number);
     }
   } else if (take_word(text, "END")) {
+    if (const std::string& fault = loops_of_macro().fault(); !fault.empty()) return lose(fault);
     const auto number = take_last_number(text);
     if (number) return repeat_loop(*number);
   }
@@ -130,7 +137,33 @@ std::optional<std::size_t> ProgramRun::find_block(int number) const {
 void ProgramRun::go_to(int number) {
   const auto block = find_block(number);
   if (!block) return lose("no block, more than one, or one that is left out has the number N" + std::to_string(number));
+  if (loops_of_macro().is_entered(text_->number(at_), text_->number(*block)))
+    return lose("GOTO " + std::to_string(number) + " jumps into a loop");
   next_ = *block;
+}
+
+// The program reaches from its name to the next one. It is examined once.
+const BlockStructures& ProgramRun::loops_of_macro() {
+  const auto is_name = [&](std::size_t i) { return capital(first_of(text_->line(i))) == 'O'; };
+  std::size_t begin = at_, end = at_ + 1;
+  while (begin > text_->begin() && !is_name(begin)) --begin;
+  while (end < text_->end() && !is_name(end)) ++end;
+  const auto [known, is_new] = structures_.try_emplace({text_, begin});
+  BlockStructures& loops = known->second;
+  if (!is_new) return loops;
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto mark = loop_mark_of(std::string(text_->line(i)));
+    if (!mark || (mark->is_skippable && setup_.is_block_delete_on == true)) continue;
+    const std::string number = mark->number ? std::to_string(*mark->number) : "";
+    if (mark->is_skippable && !setup_.is_block_delete_on)
+      loops.refuse("the loop DO" + number + " has a block in line " + std::to_string(text_->number(i)) +
+                   " that a switch of the control may leave out; expected --block-delete on or off");
+    loops.add(text_->number(i), mark->is_end
+                                    ? StructureWord{StructureWord::Kind::end, number, "END" + number}
+                                    : StructureWord{StructureWord::Kind::begin, number, "WHILE with DO" + number});
+  }
+  loops.finish();
+  return loops;
 }
 
 // The next mark with the number of a loop must be its other end.

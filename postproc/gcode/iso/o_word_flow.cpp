@@ -80,6 +80,21 @@ bool is_among(std::string_view word, std::string_view words) {
   return false;
 }
 
+/// Returns what a word does in the structures of a program; none: it does nothing there. `open` are those before it.
+std::optional<StructureWord> structure_word_of(const OWord& one, const BlockStructures& open) {
+  using enum StructureWord::Kind;
+  const auto word = [&](StructureWord::Kind kind, const std::string& pair) {
+    return StructureWord{kind, one.label + " " + pair, "O" + one.label + " " + one.word};
+  };
+  const bool ends_do = one.word == "while" && open.is_innermost(one.label + " do");
+  if (ends_do) return word(end, "do");
+  if (is_among(one.word, "sub if while do repeat")) return word(begin, one.word);
+  if (one.word == "elseif") return word(condition, "if");
+  if (one.word == "else") return word(otherwise, "if");
+  if (is_among(one.word, "endsub endif endwhile endrepeat")) return word(end, one.word.substr(3));
+  return std::nullopt;
+}
+
 /// Returns whether nothing but a comment follows.
 bool is_rest_empty(std::string_view rest) {
   rest = trim_blanks(rest);
@@ -92,6 +107,24 @@ bool is_rest_empty(std::string_view rest) {
 std::string ProgramRun::o_word_at(std::size_t index, const std::string& label) const {
   OWord found = o_word_of(text_->line(index));
   return found.label == label ? std::move(found.word) : std::string();
+}
+
+bool ProgramRun::may_be_left_out(std::size_t index) const {
+  return setup_.is_block_delete_on == true && trim_blanks(text_->line(index)).starts_with('/');
+}
+
+// A text is examined once, when its first O-word runs.
+const BlockStructures& ProgramRun::o_word_structures() {
+  const auto [known, is_new] = structures_.try_emplace({text_, text_->begin()});
+  BlockStructures& structures = known->second;
+  if (!is_new) return structures;
+  for (std::size_t i = text_->begin(); i < text_->end(); ++i) {
+    if (may_be_left_out(i)) continue;
+    if (const auto word = structure_word_of(o_word_of(text_->line(i)), structures))
+      structures.add(text_->number(i), *word);
+  }
+  structures.finish();
+  return structures;
 }
 
 std::optional<std::size_t> ProgramRun::find_o_word(const std::string& label, std::string_view words,
@@ -111,6 +144,7 @@ void ProgramRun::run_o_word(std::string_view flow) {
   const std::string label = take_label(rest);
   const std::string word = take_keyword(rest);
   if (label.empty()) return lose("the label of an O-word is not read");
+  if (const std::string& fault = o_word_structures().fault(); !fault.empty()) return lose(fault);
   if (word.empty() && is_rest_empty(rest)) {
     if (!is_first_block())
       lose("O" + label + " in a line of its own is read as the first block alone, which names the program");

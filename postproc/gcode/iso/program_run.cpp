@@ -43,8 +43,9 @@ void ProgramRun::run(const ProgressCall& progress, const std::string& file) {
   for (std::size_t steps = 0; !has_ended_ && !runner_.error(); ++steps) {
     if (next_ >= text_->end()) {
       if (calls_.empty()) break;
-      if (calls_.back().has_locals) lose("the file ends within subprogram O" + calls_.back().label);
-      end_call();  // a program beside the file may end without a word
+      lose(calls_.back().has_locals ? "the file ends within subprogram O" + calls_.back().label
+                                    : "the file of a subprogram ends without M99");
+      end_call();
       continue;
     }
     stage.pass(steps);

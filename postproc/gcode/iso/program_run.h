@@ -5,12 +5,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lib/base/parallel.h"
 #include "postproc/gcode/iso/block_runner.h"
 #include "postproc/gcode/lexing/block_lexer.h"
 #include "postproc/gcode/lexing/variables.h"
+#include "postproc/gcode/running/block_structures.h"
 #include "postproc/gcode/running/program_text.h"
 
 namespace gouge {
@@ -74,11 +76,16 @@ class ProgramRun {
   /// Returns the block with a number in the program that runs; none, or more than one: nothing.
   [[nodiscard]] std::optional<std::size_t> find_block(int number) const;
   void go_to(int number);
+  /// Returns the loops of the program that runs.
+  [[nodiscard]] const BlockStructures& loops_of_macro();
   void repeat_loop(int number);
   void end_loop(int number);
   // LinuxCNC's O-words.
   void run_o_word(std::string_view flow);
   [[nodiscard]] bool is_first_block() const;
+  /// Returns the subprograms, conditions and loops of the text that runs.
+  [[nodiscard]] const BlockStructures& o_word_structures();
+  [[nodiscard]] bool may_be_left_out(std::size_t index) const;
   void define_sub(const std::string& label, std::string_view rest);
   [[nodiscard]] std::optional<Sub> find_sub(const std::string& label);
   [[nodiscard]] bool is_in_structure(std::size_t index) const;
@@ -111,6 +118,8 @@ class ProgramRun {
   std::size_t searched_texts_ = 0;   // for a break
   bool has_break_ = false;
   std::map<std::string, StoredProgram> besides_;
+  /// Structures of the programs that ran, by text and first line.
+  std::map<std::pair<const ProgramText*, std::size_t>, BlockStructures> structures_;
   std::size_t end_line_ = 0;
   bool has_ended_ = false, begins_again_ = false;
 };

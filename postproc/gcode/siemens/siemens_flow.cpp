@@ -66,6 +66,7 @@ void SiemensRun::run_flow(const std::string& word, std::string_view rest) {
   constexpr auto kAlone = std::to_array<std::string_view>({"ELSE", "ENDIF", "ENDWHILE", "ENDFOR", "ENDLOOP"});
   const bool is_alone = std::ranges::find(kAlone, word) != kAlone.end();
   if (is_alone && !trim_blanks(rest).empty()) return lose(word + " is followed by words that are not read");
+  if (const std::string fault = structure_fault(); !fault.empty()) return lose(fault);
   if (word == "IF") return run_if(rest);
   if (word == "ELSE") {
     const auto end = find_pair(at_, "IF", "ENDIF", true);
@@ -290,6 +291,8 @@ void SiemensRun::go_to(const std::string& word, std::string_view target) {
   const auto line = only_line_of(name);
   const bool is_behind = line && *line > at_;
   const bool is_there = line && (word == "GOTO" || word == "GOTOC" || (word == "GOTOF") == is_behind);
+  if (is_there && structures().is_entered(text_->program->number(at_), text_->program->number(*line)))
+    return lose(word + " " + name + " jumps into a condition or a loop");
   if (is_there) return jump(*line);
   lose("no block, or more than one, is the target " + name + " of " + word);
 }

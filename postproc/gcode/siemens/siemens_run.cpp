@@ -11,7 +11,7 @@
 namespace gouge {
 
 SiemensRun::SiemensRun(const ProgramInput& input, const ProgramText& text, SiemensRunner& runner)
-    : input_(input), runner_(runner), main_(&text), main_text_{&text, {}}, text_(&main_text_) {}
+    : input_(input), runner_(runner), main_(&text), main_text_{&text, {}, {}}, text_(&main_text_) {}
 
 void SiemensRun::lose(const std::string& reason) { runner_.lose_rest(reason, main_->number(main_at_)); }
 
@@ -40,7 +40,8 @@ void SiemensRun::run() {
     }
     if (next_ >= text_->program->end()) {
       if (calls_.empty()) break;
-      end_call();  // a subprogram may end without a word
+      if (!calls_.back().is_section) lose("the file of a subprogram ends without M17 or RET");
+      end_call();
       continue;
     }
     stage.pass(steps);

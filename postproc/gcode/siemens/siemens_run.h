@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
+#include "postproc/gcode/running/block_structures.h"
 #include "postproc/gcode/running/program_text.h"
 #include "postproc/gcode/siemens/siemens_block.h"
 #include "postproc/gcode/siemens/siemens_runner.h"
@@ -36,10 +37,11 @@ class SiemensRun {
   using Labels = std::unordered_map<std::string, std::vector<std::size_t>>;
   struct Text {
     const ProgramText* program = nullptr;
-    std::optional<Labels> labels;  ///< lines by label and by block number; none: not looked for yet
+    std::optional<Labels> labels;                    ///< lines by label and by block number; none: not looked for yet
+    std::optional<BlockStructures> structures = {};  ///< none: not looked for yet
   };
   struct BesideText {
-    explicit BesideText(std::string bytes) : program(std::move(bytes)), text{&program.text(), {}} {}
+    explicit BesideText(std::string bytes) : program(std::move(bytes)), text{&program.text(), {}, {}} {}
     StoredProgram program;
     Text text;
   };
@@ -68,6 +70,9 @@ class SiemensRun {
 
   // Statements of program flow.
   void run_flow(const std::string& word, std::string_view rest);
+  /// Returns why the conditions and loops of the program that runs are not nested; empty: they are, or none runs here.
+  [[nodiscard]] std::string structure_fault();
+  [[nodiscard]] const BlockStructures& structures();
   void run_if(std::string_view rest);
   void run_conditional_jumps(bool holds, std::string_view rest);
   void run_loop(const std::string& word, std::string_view rest);

@@ -39,8 +39,8 @@ TEST(SiemensFlowTraps, WordsBehindAWordOfAStructure) {
 
 TEST(SiemensFlowTraps, StructuresWhoseBlocksASwitchLeavesOut) {
   const std::string text = "R1=1\nR2=2\nIF R1==0\nR2=3\n/ELSE\nR2=5\nENDIF\nG1 X=R2 F100\n";
-  expect_open(text, "IF without ENDIF");
-  expect_open("R1=1\nWHILE R1==0\n/ENDWHILE\nENDWHILE\nG1 X1 F100", "WHILE without ENDWHILE");
+  expect_open(text, "ELSE in line 9 may be left out by a switch");
+  expect_open("R1=1\nWHILE R1==0\n/ENDWHILE\nENDWHILE\nG1 X1 F100", "ENDWHILE in line 7 may be left out by a switch");
   ProgramSetup setup;
   setup.is_block_delete_on = true;
   EXPECT_DOUBLE_EQ(test::tip_after(text, setup).x(), 2);
