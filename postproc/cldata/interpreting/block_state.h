@@ -15,8 +15,12 @@ class BlockState {
     close(move);
     ++number_;
   }
-  /// Marks the present block as one that has an end, and its own frame, tool and axis.
-  void open() { is_open_ = true; }
+  /// Marks the present block, which begins in a line, as one that has an end, and its own frame, tool and axis.
+  void open(std::size_t line) {
+    if (is_open_ && unended_line_ == 0) unended_line_ = open_line_;
+    is_open_ = true;
+    open_line_ = line;
+  }
   void end() {
     is_open_ = false;
     is_between_ = true;
@@ -33,6 +37,8 @@ class BlockState {
 
   [[nodiscard]] std::size_t number() const { return number_; }
   [[nodiscard]] bool is_open() const { return is_open_; }
+  /// Returns the line of the first block that another one follows without its end; 0: there is none.
+  [[nodiscard]] std::size_t unended_line() const { return unended_line_; }
   [[nodiscard]] bool is_between() const { return is_between_; }
   [[nodiscard]] bool has_positions(std::size_t moves) const { return number_ > 0 && begin_ < moves; }
   /// Returns [begin, end) of the moves in blocks that have lost their frame, at the end of a file of `moves` moves.
@@ -50,6 +56,7 @@ class BlockState {
 
   std::size_t number_ = 0;
   std::size_t begin_ = 0;  // the first move of the block
+  std::size_t open_line_ = 0, unended_line_ = 0;
   bool is_open_ = false, is_between_ = false, is_frame_between_ = false;
   bool has_frame_ = false, needs_frames_ = false;
   std::vector<std::pair<std::size_t, std::size_t>> without_frame_;

@@ -129,7 +129,7 @@ void take_tool_path(States& s) {
   s.uncertainties.clear(Uncertainty::skew);
   s.feed.begin_block();
   s.cycle.begin_block();
-  s.blocks.open();
+  s.blocks.open(s.in.line());
   s.is_unknown_in_block = false;
   s.uncertainties.clear(Uncertainty::tip);
   s.uncertainties.set(Uncertainty::block, s.blocks.take_frame_between() ? Reasons::kMsysOutside : nullptr);

@@ -136,6 +136,9 @@ void Interpreter::gather_facts() {
   const bool needs_end = s.in.dialect.has_end_word || s.has_begin;
   if (s.blocks.is_open()) {
     facts_.cut_short = "the last TOOL PATH has no END-OF-PATH, so the file may be cut short";
+  } else if (s.blocks.unended_line() > 0) {
+    facts_.cut_short = "the TOOL PATH in line " + std::to_string(s.blocks.unended_line()) +
+                       " has no END-OF-PATH, so a part of the file may be missing";
   } else if (needs_end && !is_ended) {
     facts_.cut_short = "the file ends without " + std::string(s.in.dialect.end_name) + ", so it may be cut short";
   } else if (s.feed.is_rapid() && !is_ended) {

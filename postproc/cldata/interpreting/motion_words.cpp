@@ -94,6 +94,8 @@ void take_godlta(States& s) {
   const Pose here = s.frame.to_local(*start);
   Position position;
   position.form = PositionForm::godlta;
+  for (auto& [id, range] : s.indexed)
+    if (range.begin == s.in.moves()) range.begins_with_step = true;
   position.axis_local = s.axes.is_new() ? s.axes.implied() : here.axis;
   if (has_axis) {
     const std::optional<Vec3> axis = s.axes.read(3);

@@ -72,7 +72,7 @@ constexpr double kMaxCopies = 1000;
 
 // Returns whether moves can be repeated: all are checked straight moves and arcs, with the present tool and frame.
 bool is_repeatable(const States& s, const IndexedMoves& range) {
-  if (range.begin == range.end || range.frames != s.frame_changes) return false;
+  if (range.begin == range.end || range.frames != s.frame_changes || range.begins_with_step) return false;
   const Moves& moves = s.in.path.moves;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const Move& move = moves[i];
@@ -141,7 +141,7 @@ void take_index(States& s) {
   if (is_end) {
     if (range.end == kNone) range.end = s.in.moves();
   } else {
-    range = {s.in.moves(), kNone, s.frame_changes};
+    range = {s.in.moves(), kNone, s.frame_changes, false};
   }
 }
 

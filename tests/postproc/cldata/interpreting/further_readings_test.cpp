@@ -148,6 +148,15 @@ TEST(Copy, RepeatsTheMovesOfItsIndex) {
   expect_vector(path.moves[6].end.tip, 2, 20, 9);
 }
 
+TEST(Copy, OfAStepThatContinuesFromElsewhereIsNotRead) {
+  const Toolpath steps = path_of(apt("GOTO/0,0,9\nINDEX/1\nGODLTA/0,0,-.1\nCOPY/1,SAME,20\nGOTO/0,0,50\nFINI\n"));
+  EXPECT_GT(unchecked(steps), 0U);
+  const Toolpath placed =
+      path_of(apt("GOTO/0,0,9\nINDEX/1\nGOTO/1,0,9\nGODLTA/0,0,-.1\nCOPY/1,SAME,2\nGOTO/0,0,50\nFINI\n"));
+  EXPECT_EQ(unchecked(placed), 0U);
+  expect_vector(placed.moves[6].end.tip, 1, 0, 8.9);
+}
+
 TEST(Tool, NumberBehindALoadingMayBeReadyOnly) {
   EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nTOOLNO/4\nGOTO/9,0,9\nLOADTL/4\nGOTO/0,0,9\nFINI\n"))), 2U);
   EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nCUTTER/6\nGOTO/9,0,9\nLOADTL/4\nGOTO/0,0,9\nFINI\n"))), 1U);

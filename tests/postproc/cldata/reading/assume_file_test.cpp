@@ -66,6 +66,7 @@ TEST(AssumeFile, AFileIsWholeWithItsEndMarkAndUnknownWithoutOneItShouldHave) {
   EXPECT_EQ(basis("TRNTYP/WORLD,0,0,0\nGOTO/1,2,3\n"), Basis::unknown) << "SolidWorks";
   EXPECT_EQ(basis("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\nEND-OF-PATH\n"), Basis::derived);
   EXPECT_EQ(basis("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\nEND-OF-PATH\nTOOL PATH/C,TOOL,B\nGOTO/1,2,4\n"), Basis::unknown);
+  EXPECT_EQ(basis("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\nTOOL PATH/C,TOOL,B\nGOTO/1,2,4\nEND-OF-PATH\n"), Basis::unknown);
   EXPECT_EQ(basis("GOTO/1,2,3\nRAPID\n"), Basis::unknown);
   EXPECT_EQ(basis("GOTO/1,2,3\nGOTO/1,2,4\n"), Basis::by_default) << "a list of positions has no end mark";
 }
