@@ -440,7 +440,8 @@ TEST(GcodeWords, MarksOfLoopsAreThoseOfBlocks) {
     ASSERT_FALSE(path.moves.empty());
     EXPECT_DOUBLE_EQ(path.moves.back().end.tip.x(), 2) << control;
     EXPECT_TRUE(path.moves.back().not_checked_reason.empty()) << control;
-    expect_open(program("#1=9\nWHILE [#1 LT 2] DO1\n#1=1\n/END1\nG1 X#1 F9.\nEND1\n"), control, "that a switch of the control may leave out");
+    expect_open(program("#1=9\nWHILE [#1 LT 2] DO1\n#1=1\n/END1\nG1 X#1 F9.\nEND1\n"), control,
+                "that a switch of the control may leave out");
     expect_open(program("#1=0\n/WHILE [#1 LT 2] DO1\n#1=#1+1\nEND1\nG1 X#1 F9.\n"), control, "");
   }
 }
