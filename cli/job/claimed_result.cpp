@@ -224,6 +224,7 @@ class ClaimTaker {
       FurtherClaim& one = claim.further.emplace_back();
       one.body = further.body;
       one.is_fixture = further.against == Against::fixture;
+      one.is_stock = further.against == Against::stock;
       one.depth_mm = further.depth_mm.value_or(0);
       one.depth_upper_mm = further.depth_upper_mm;
       if (further.witness) one.witness = witness(*further.witness);

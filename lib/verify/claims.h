@@ -33,7 +33,7 @@ struct ClaimedWitness {
 /// alone.
 struct FurtherClaim {
   Body body = Body::cutter;
-  bool is_fixture = false;
+  bool is_fixture = false, is_stock = false;
   double depth_mm = 0;
   std::optional<double> depth_upper_mm;   ///< nothing: unbounded
   std::optional<ClaimedWitness> witness;  ///< nothing: it is open whether the body gouges

@@ -209,6 +209,7 @@ std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const C
 std::optional<std::string> find_further_fault(const ClaimedScene& scene, const ClaimedTools& tools, std::size_t move,
                                               const FurtherClaim& further) {
   const std::size_t tool = scene.path.moves[move].tool;
+  if (further.is_stock) return "stock is no further contact";
   if (!further.witness) return std::nullopt;  // no depth is stated
   if (!(further.depth_mm <= further.depth_upper_mm.value_or(1e300))) return "its depth is more than its bound";
   const ClaimedWitness& w = *further.witness;

@@ -20,10 +20,28 @@ constexpr double kContentTop = 118;
 constexpr double kNoteworthy = 1.02;
 constexpr double kContentBottom = kPageHeight - 24;
 
+/// Returns boxes about the findings in fixtures, as points. A view must show them, although fixtures may reach far.
+std::vector<Vec3> corners_about_fixture_findings(const PictureSet& set) {
+  constexpr double kShareOfPart = 0.1;
+  const double reach_mm = kShareOfPart * set.scene.part_size_mm();
+  std::vector<Vec3> corners;
+  for (const PictureEvent& event : set.events) {
+    if (!event.has_witness || event.witness.against != Against::fixture) continue;
+    for (int corner = 0; corner < 8; ++corner)
+      corners.push_back(event.witness.point + reach_mm * Vec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                                                              (corner & 4) != 0 ? 1 : -1));
+  }
+  return corners;
+}
+
 View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
   View view = make_view(toward, Vec3::UnitZ(), static_cast<int>(area.width) * kSupersampling,
                         static_cast<int>(area.height) * kSupersampling);
-  fit_view(view, set.scene.part_points(), 0.07);
+  const auto part = set.scene.part_points();
+  const std::vector<Vec3> corners = corners_about_fixture_findings(set);
+  std::vector<std::span<const Vec3>> points(part.begin(), part.end());
+  points.emplace_back(corners);
+  fit_view(view, points, 0.07);
   return view;
 }
 

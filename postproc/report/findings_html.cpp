@@ -6,6 +6,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/report/baseline_text.h"
 #include "postproc/report/findings.h"
+#include "postproc/report/further_text.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/remedies.h"
 #include "postproc/report/report_sources.h"
@@ -112,13 +113,14 @@ class FindingsTable {
     const double overcut_mm = overcut_of(model_, event);
     std::string against = against_name(event.against);
     if (verdict.witness) against += " " + mesh_name(model_, *verdict.witness);
+    against += other_obstacle_text(*model_.result, event);
+    const std::string body = std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool) +
+                             other_bodies_text(*model_.result, event);
     const std::string span = event.moves < 2 ? std::to_string(event.worst_move)
                                              : std::to_string(event.first_move) + "-" + std::to_string(event.last_move);
     return html_cell(std::to_string(numbers_[index_of(event)]), "n") + "<td><span class=\"state " + state + "\">" +
            state + "</span>" + accepted + "</td>" + html_cell(std::to_string(move.line), "n") + html_cell(depth, "n") +
-           html_cell(overcut_mm > 0 ? depth_text(overcut_mm, unit_) : "", "n") +
-           html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
-           html_cell(against) +
+           html_cell(overcut_mm > 0 ? depth_text(overcut_mm, unit_) : "", "n") + html_cell(body) + html_cell(against) +
            html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
            html_cell(span, "n") +
            (has_operations() ? html_cell(operation_name(*model_.toolpath, move.operation)) : std::string()) +

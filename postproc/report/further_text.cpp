@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "postproc/report/report_text.h"
 
@@ -21,11 +22,11 @@ std::string contact_text(const ReportModel& model, const Event& event, const Fur
   const std::string move = event.moves == 1 ? "" : ", move " + std::to_string(contact.move);
   if (!contact.witness) {
     const std::string with = contact.against == Against::part ? "the part" : "a fixture";
-    return "; it is open whether the " + body + " gouges " + with + " too" + (at_most.empty() ? "" : ": " + at_most) +
+    return "it is open whether the " + body + " gouges " + with + " too" + (at_most.empty() ? "" : ": " + at_most) +
            move;
   }
   const bool is_wide = contact.depth_upper_mm > contact.depth_mm + model.options.resolution_mm;
-  return "; " + body + " too: " + depth_text(contact.depth_mm, unit, model.options) +
+  return body + " too: " + depth_text(contact.depth_mm, unit, model.options) +
          (is_wide && !at_most.empty() ? " (" + at_most + ")" : "") + counterpart_text(model, *contact.witness) +
          " at " + point_text(contact.witness->point, unit) + move + " t=" + instant_text(contact.witness->t);
 }
@@ -50,10 +51,33 @@ std::vector<FurtherContact> further_of(const CheckResult& result, const Event& e
   return worst;
 }
 
+std::vector<std::string> further_texts(const ReportModel& model, const Event& event) {
+  std::vector<std::string> texts;
+  for (const FurtherContact& contact : further_of(*model.result, event))
+    texts.push_back(contact_text(model, event, contact));
+  return texts;
+}
+
 std::string further_text(const ReportModel& model, const Event& event) {
   std::string text;
-  for (const FurtherContact& contact : further_of(*model.result, event)) text += contact_text(model, event, contact);
+  for (const std::string& one : further_texts(model, event)) text += "; " + one;
   return text;
+}
+
+std::string other_bodies_text(const CheckResult& result, const Event& event) {
+  std::set<Body> bodies;
+  for (const FurtherContact& contact : further_of(result, event))
+    if (contact.witness && contact.body != event.body) bodies.insert(contact.body);
+  std::string text;
+  for (const Body body : bodies) text += (text.empty() ? " (and " : ", ") + std::string(body_name(body));
+  return text.empty() ? text : text + ")";
+}
+
+std::string other_obstacle_text(const CheckResult& result, const Event& event) {
+  for (const FurtherContact& contact : further_of(result, event))
+    if (contact.witness && contact.against != event.against)
+      return " (and " + std::string(against_name(contact.against)) + ")";
+  return {};
 }
 
 std::string stock_too_text(const CheckResult& result, const Event& event) {

@@ -11,6 +11,7 @@
 #include "postproc/image/heat_map.h"
 #include "postproc/image/picture_events.h"
 #include "postproc/image/tool_outline.h"
+#include "postproc/report/further_text.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
 #include "postproc/viewer/scene_writer.h"
@@ -305,6 +306,7 @@ Json finding_json(const ReportModel& model, const CheckedToolpath& input, const 
     out["point"] = scaled_json(verdict.witness->point, 1e6);
     out["normal"] = scaled_json(verdict.witness->normal, 1e6);
   }
+  for (const std::string& further : further_texts(model, event)) add("Also", further);
   out["depth"] = event.state == MoveState::gouge ? verdict.depth_mm : 0.0;
   add("Instant", "move " + std::to_string(event.worst_move) + ", t = " + instant_text(t));
   if (event.moves > 1)

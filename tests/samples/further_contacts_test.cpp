@@ -52,6 +52,8 @@ TEST_F(FurtherContacts, AreStatedInEveryOutput) {
   EXPECT_NE(ran.out.find(words), std::string::npos) << ran.out;
   for (const char* file : {"a.sarif", "a.xml", "page/report.html"})
     EXPECT_NE(shop_.read(file).find("cutter too: 0.200 mm"), std::string::npos) << file;
+  EXPECT_NE(shop_.read("page/report.html").find("<td>holder T1 (and cutter)</td><td>fixture clamp.stl (and part)</td>"),
+            std::string::npos);
   const nlohmann::json all = further("a.json");
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].at("body"), "cutter");
