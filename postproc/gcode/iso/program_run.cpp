@@ -151,6 +151,8 @@ void ProgramRun::call(const NextBlock& next) {
     const auto block = find_block(next.target);
     if (!block)
       return lose("no block, more than one, or one that is left out has the number N" + std::to_string(next.target));
+    if (loops_of_macro().is_entered(text_->number(at_), text_->number(*block)))
+      return lose("a call begins within a loop, at N" + std::to_string(next.target));
     return begin_call(*text_, *block, next.times, false);
   }
   if (may_count_repeats(next.target))
