@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/certify/check.h"
 #include "lib/certify/placement.h"
+#include "lib/check/contact_rule.h"
 #include "lib/motion/motion_law.h"
 
 namespace gouge {
@@ -110,33 +114,76 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   return fact;
 }
 
-/// Returns the box about all meshes and the stock.
-Box3 box_of_all(const CheckSetup& setup) {
-  Box3 all;
-  for (const PreparedObstacle& obstacle : setup.scene.obstacles()) all.extend(box_of(obstacle.meshes));
-  if (setup.stock != nullptr) all.extend(Box3(setup.stock->solid.low(), setup.stock->solid.high()));
-  return all;
+/// The highest point of meshes and stock in a direction.
+struct Top {
+  double height_mm = -std::numeric_limits<double>::infinity();  ///< with the clearance
+  bool has_clearance = false;
+};
+
+class Obstructions {
+ public:
+  explicit Obstructions(const CheckSetup& setup) {
+    const std::vector<double> clearances = clearance_of_meshes(*setup.scene.scene);
+    std::size_t mesh = 0;
+    for (const PreparedObstacle& obstacle : setup.scene.obstacles()) {
+      for (std::size_t k = 0; k < obstacle.meshes.size(); ++k)
+        boxes_.emplace_back(box_of(obstacle.meshes.subspan(k, 1)), clearances.at(mesh++));
+    }
+    if (setup.stock != nullptr) boxes_.emplace_back(Box3(setup.stock->solid.low(), setup.stock->solid.high()), 0);
+  }
+
+  [[nodiscard]] Top top_along(const Vec3& direction) const {
+    Top top;
+    for (const auto& [box, clearance_mm] : boxes_) {
+      const double height_mm = highest_along(direction, box) + clearance_mm;
+      if (height_mm > top.height_mm) top = {height_mm, clearance_mm > 0};
+    }
+    return top;
+  }
+
+ private:
+  std::vector<std::pair<Box3, double>> boxes_;  // with the clearance of the mesh
+};
+
+/// Returns the lowest point of all tools and heads along the tool axis, from the tip, at most 0. Stock to leave, clearances
+/// and tolerances of the motion are in the forms of the tools.
+double lowest_point_mm(const CheckSetup& setup) {
+  double lowest_mm = 0;
+  for (const ToolVariants* tool : setup.tools) {
+    if (tool == nullptr) continue;
+    for (const CompiledTool* form : {&tool->against_part, &tool->against_fixture, &tool->with_clearance})
+      if (!form->elements.empty()) lowest_mm = std::min(lowest_mm, form->z_min_mm);
+  }
+  for (const HeadBody& head : setup.heads) lowest_mm = std::min(lowest_mm, head.box.min().z());
+  return lowest_mm;
 }
 
 std::string text_in(LengthUnit unit, double length_mm) {
   return display_text(length_mm / mm_per(unit), 4) + " " + unit_name(unit);
 }
 
-/// A rapid from a place that is not known is clear only above everything.
+/// Returns the heights of the lowest point of the tool and of the top, for a message.
+std::string heights_text(LengthUnit unit, double bottom_mm, bool is_tip, const Top& top) {
+  return std::string(is_tip ? "the tool" : "the lowest point of tool and heads, with offsets and tolerances,") +
+         " is at height " + text_in(unit, bottom_mm) + ", not above the top of " + text_in(unit, top.height_mm) +
+         (top.has_clearance ? " with its clearance" : "");
+}
+
+/// A rapid from a place that is not known is clear only above everything, with all that moves with the tool.
 void settle_approaches(const Toolpath& path, const CheckSetup& setup, Assumptions& facts) {
   const auto fact = std::ranges::find(facts, Subject::completeness, &Assumption::subject);
   if (fact == facts.end() || path.approaches.empty()) return;
-  const Box3 box = box_of_all(setup);
+  const Obstructions obstructions(setup);
+  const double lowest_mm = lowest_point_mm(setup);
   for (const ApproachHeight& approach : path.approaches) {
-    const double top = highest_along(approach.axis, box);
-    if (approach.height_mm > top) continue;
+    const Top top = obstructions.top_along(approach.axis);
+    const double bottom_mm = approach.height_mm + lowest_mm;
+    if (bottom_mm > top.height_mm) continue;
     fact->basis = Basis::unknown;
     fact->code = "gcode-approach";
     fact->line = approach.line;
-    const std::string at = std::isfinite(approach.height_mm)
-                               ? "the tool is at height " + text_in(path.unit, approach.height_mm) +
-                                     ", below the top of " + text_in(path.unit, top)
-                               : "the height of the tool above the part is not known";
+    const std::string at = std::isfinite(approach.height_mm) ? heights_text(path.unit, bottom_mm, !(lowest_mm < 0), top)
+                                                             : "the height of the tool above the part is not known";
     fact->evidence = "in line " + std::to_string(approach.line) + " " + at + ", and where it comes from is not known";
     fact->remedy = std::isfinite(approach.height_mm)
                        ? "begin above everything in the program, or state that nothing is in its way with "

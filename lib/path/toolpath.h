@@ -133,8 +133,8 @@ struct MoveOrigins {
   virtual ~MoveOrigins() = default;
 };
 
-/// A rapid from a place that is not known to a height, or at a height to a place: all points of the tool are at least
-/// `height_mm` along `axis`, in part coordinates, if it came from above. Minus infinity: the height is not known.
+/// A rapid from a place that is not known to a height, or at a height to a place: the tip is at least at `height_mm`
+/// along `axis`, in part coordinates, if the tool came from above. Minus infinity: the height is not known.
 struct ApproachHeight {
   std::size_t line = 0;
   Vec3 axis = Vec3::UnitZ();  ///< unit, the tool axis

@@ -45,6 +45,73 @@ TEST(Assess, AnOpenSurfaceWithoutAnEndIsUnknown) {
   EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::by_default);
 }
 
+/// Cuts 10 mm above the floor, with an approach at that height.
+Toolpath approached(double height_mm = 10) {
+  Toolpath path = cuts(height_mm);
+  path.approaches = {{.line = 7, .axis = Vec3::UnitZ(), .height_mm = height_mm}};
+  path.assumptions.push_back({.subject = Subject::completeness, .basis = Basis::derived});
+  return path;
+}
+
+Assumption completeness_of(const OwnSetup& own, const Toolpath& path = approached()) {
+  return fact_of(check(path, own.setup), Subject::completeness);
+}
+
+TEST(Assess, AnApproachIsClearAboveEverythingAlone) {
+  const ToolVariants tool = tools::flat();
+  const Scene scene = floor_scene();
+  const OwnSetup own(&tool, scene);
+  EXPECT_EQ(completeness_of(own).basis, Basis::derived);
+  EXPECT_EQ(completeness_of(own, approached(0.001)).basis, Basis::derived);
+  const Assumption at_top = completeness_of(own, approached(0));
+  EXPECT_EQ(at_top.code, "gcode-approach");
+  EXPECT_EQ(at_top.line, 7U);
+  EXPECT_NE(at_top.evidence.find("the tool is at height 0 mm, not above the top of 0 mm, and"), std::string::npos)
+      << at_top.evidence;
+}
+
+TEST(Assess, AnApproachIsAtTheLowestPointOfTheHeads) {
+  const ToolVariants tool = tools::flat();
+  const Scene scene = floor_scene();
+  const auto with_head = [&](double low_mm) {
+    const OwnSetup own(&tool, scene, {}, {*build_head_body(shapes::box({20, -5, low_mm}, {30, 5, 60}))});
+    return completeness_of(own);
+  };
+  EXPECT_EQ(with_head(-9).basis, Basis::derived);
+  const Assumption deep = with_head(-20);
+  EXPECT_EQ(deep.basis, Basis::unknown);
+  EXPECT_NE(deep.evidence.find("tool and heads, with offsets and tolerances, is at height -10 mm, not above"),
+            std::string::npos)
+      << deep.evidence;
+}
+
+TEST(Assess, AnApproachKeepsClearancesAndStockToLeave) {
+  const ToolVariants tool = tools::flat(), leaving = tools::variants(tools::assembly(FlatCutter{10, 30}), 11);
+  Scene scene = floor_scene();
+  EXPECT_EQ(completeness_of(OwnSetup(&leaving, scene)).basis, Basis::unknown);
+  scene.fixtures = {shapes::box({0, 200, 0}, {10, 210, 5})};
+  EXPECT_EQ(completeness_of(OwnSetup(&tool, scene)).basis, Basis::derived);
+  scene.limits = {{.against = Against::fixture, .mesh = 0, .clearance_mm = 4, .tolerance_mm = 0}};
+  EXPECT_EQ(completeness_of(OwnSetup(&tool, scene)).basis, Basis::derived);
+  scene.limits[0].clearance_mm = 6;
+  const Assumption close = completeness_of(OwnSetup(&tool, scene));
+  EXPECT_EQ(close.basis, Basis::unknown);
+  EXPECT_NE(close.evidence.find("not above the top of 11 mm with its clearance"), std::string::npos) << close.evidence;
+}
+
+TEST(Assess, AnApproachIsAsLowAsTheTubeOfItsMotion) {
+  const Scene scene = floor_scene();
+  const auto within = [&](double tip_mm) {
+    CheckOptions options;
+    options.tube.tip_mm = tip_mm;
+    const ToolVariants tool =
+        make_tool_variants(tools::assembly(FlatCutter{10, 30}), 0, 0, 0, false, options.tube).value();
+    return completeness_of(OwnSetup(&tool, scene, options)).basis;
+  };
+  EXPECT_EQ(within(9), Basis::derived);
+  EXPECT_EQ(within(10.5), Basis::unknown);
+}
+
 TEST(Assess, APathThatTouchesThePartEstablishesItsPlacement) {
   const CheckResult result = result_of(cuts(0), floor_scene());
   EXPECT_EQ(fact_of(result, Subject::placement).basis, Basis::derived);
