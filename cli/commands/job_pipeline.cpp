@@ -28,6 +28,7 @@ std::optional<int> JobPipeline::load() {
   baseline_ = std::move(*accepted);
   LoadedJob loaded = load_job(arguments_, options_, progress_, context_.scenes);
   progress_.end();
+  if (context_.on_searches) context_.on_searches(loaded.searches);
   if (!loaded.job) {
     if (arguments_.project_file)
       loaded.errors.push_back(
@@ -46,6 +47,7 @@ std::optional<int> JobPipeline::load_stock(double clearance_mm) {
   progress_.begin("preparing the stock");
   Diagnostics errors;
   stock_ = gouge::load_stock(arguments_, *job_, progress_, errors);
+  if (context_.on_searches) context_.on_searches(job_->searches);
   if (!stock_) return fail_with(errors);
   progress_.end();
   if (const auto error = add_roomy_tools(clearance_mm, arguments_, *job_, *stock_)) return fail_with({*error});
@@ -99,6 +101,7 @@ int JobPipeline::write(const ReportModel& model, const Diagnostics& last_notes, 
   const bool is_written = outputs_.write(*job_, *scene_, model, progress_, context_.out, err);
   if (arguments_.is_verbose) print_peak_memory(err);
   if (!is_written) return kExitInternal;
+  if (context_.on_searches) context_.on_searches(job_->searches);
   if (context_.on_result) context_.on_result(model);
   return exit_status(overall_verdict(model));
 }

@@ -114,7 +114,8 @@ ReadOutcome ToolpathReader::read(const std::string& file) const {
     return unreadable;
   }
   ReadOptions options = options_;
-  options.program = with_files_beside(options.program, file, max_bytes_, {});
+  SearchLog searches;
+  options.program = with_files_beside(options.program, file, max_bytes_, searches, {});
   ReadOutcome outcome = read_toolpath(file, std::move(*bytes), options);
   if (outcome.toolpath) warn_of_unknown_unit(*outcome.toolpath);
   return outcome;

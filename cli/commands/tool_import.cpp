@@ -89,6 +89,7 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   const OutputTable outputs = {{"-o", output}};
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   ImportOptions options;
+  SearchLog searches;
   if (!arguments.stickout.empty()) {
     const Result<double> stickout = understand_length("--stickout", arguments.stickout, Minimum::above_zero);
     if (!stickout) return fail(err, {stickout.error()});
@@ -101,7 +102,7 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   options.holder = *holder;
   options.unit = unit_called(arguments.unit);
   options.read_beside = [&](const std::string& name) -> Result<std::string> {
-    Result<BesideFile> beside = read_beside(arguments.file, name, arguments.input.max_bytes);
+    Result<BesideFile> beside = read_beside(arguments.file, name, arguments.input.max_bytes, searches);
     if (!beside) return beside.error();
     inputs.push_back({"a file of the library", beside->path});
     return std::move(beside->bytes);

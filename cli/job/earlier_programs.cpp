@@ -32,8 +32,8 @@ class ProgramReader {
   bool read(const BeforeText& stated) {
     ReadOptions reading = job_.options.reading;
     reading.keeps_origins = false;
-    std::optional<Toolpath> path =
-        read_path_file(stated.path, "before", arguments_.input.max_bytes, reading, progress_, job_.inputs, errors_);
+    std::optional<Toolpath> path = read_path_file(stated.path, "before", arguments_.input.max_bytes, reading, progress_,
+                                                  job_.inputs, job_.searches, errors_);
     if (!path) return false;
     add_notes(path->notes);
     EarlierProgram& program = read_.programs.emplace_back();
@@ -74,7 +74,8 @@ class ProgramReader {
     std::optional<ToolLibrary> library;
     const std::string& file = stated.tools.empty() ? arguments_.tools_file : stated.tools;
     if (!file.empty()) {
-      Result<ToolLibrary> read = read_tool_file(file, "before-tools", arguments_.input.max_bytes, job_.inputs);
+      Result<ToolLibrary> read =
+          read_tool_file(file, "before-tools", arguments_.input.max_bytes, job_.inputs, job_.searches);
       if (!read) return fail(read.error());
       if (!stated.tools.empty()) add_notes(read->notes);
       library = std::move(*read);

@@ -68,6 +68,7 @@ class JobLoader {
     if (has_path && errors_.empty()) read_tools();
     if (errors_.empty()) assume_inputs();
     loaded.errors = errors_;
+    loaded.searches = job_.searches;
     if (errors_.empty()) loaded.job = std::move(job_);
     return loaded;
   }
@@ -122,7 +123,7 @@ class JobLoader {
     chosen_ = choose_machine(stated_machine(), job_.options.check.law.rapid(), arguments_.input.max_bytes);
     if (*chosen_ && !complete_program(**chosen_)) return false;
     std::optional<Toolpath> path = read_path_file(arguments_.path, "toolpath", arguments_.input.max_bytes,
-                                                  job_.options.reading, progress_, job_.inputs, errors_);
+                                                  job_.options.reading, progress_, job_.inputs, job_.searches, errors_);
     if (lengths_input_) job_.inputs.push_back(*lengths_input_);
     if (!path) {
       const bool is_for_machine = !errors_.empty() && errors_.back().code.starts_with("gcode-");
@@ -200,7 +201,7 @@ class JobLoader {
     std::optional<ToolLibrary> library;
     if (!arguments_.tools_file.empty()) {
       Result<ToolLibrary> read =
-          read_tool_file(arguments_.tools_file, "tools", arguments_.input.max_bytes, job_.inputs);
+          read_tool_file(arguments_.tools_file, "tools", arguments_.input.max_bytes, job_.inputs, job_.searches);
       if (!read) return errors_.push_back(read.error());
       library = std::move(*read);
       add_notes(library->notes);

@@ -9,6 +9,7 @@
 
 #include "cli/job/scene_files.h"
 #include "cli/options/job_options.h"
+#include "lib/base/file_search.h"
 #include "lib/certify/check.h"
 #include "lib/machine/machine.h"
 #include "lib/motion/pose_reach.h"
@@ -41,6 +42,7 @@ struct Job {
   std::vector<std::optional<ToolAssembly>> assemblies;
   std::vector<std::optional<ToolVariants>> variants;  ///< compiled from `assemblies`
   std::vector<InputFile> inputs;
+  SearchLog searches;  ///< for files that may be absent; those that were found are in `inputs` too
   std::vector<ToolFacts> tool_facts;
   SetupBasis basis;                     ///< how each input is known
   std::optional<Machine> machine = {};  ///< the machine of --machine
@@ -74,6 +76,7 @@ struct Job {
 struct LoadedJob {
   std::optional<Job> job;
   Diagnostics errors;
+  SearchLog searches;  ///< those of the job, also of one that could not be read
 };
 
 /// Reads toolpath and tools, and takes the meshes from `scenes`. Reports all errors of one kind of input, not only the

@@ -11,7 +11,7 @@ namespace gouge {
 
 std::optional<Toolpath> read_path_file(const std::string& file, const char* role, std::uint64_t max_bytes,
                                        const ReadOptions& reading, Progress& progress, std::vector<InputFile>& inputs,
-                                       Diagnostics& errors) {
+                                       SearchLog& searches, Diagnostics& errors) {
   progress.begin("reading " + file);
   Result<PagedVector<char>> bytes = read_long_file(file, max_bytes);
   if (!bytes) {
@@ -21,10 +21,10 @@ std::optional<Toolpath> read_path_file(const std::string& file, const char* role
   SourceText text(std::move(*bytes));
   inputs.push_back(describe_input(role, file, text));
   ReadOptions with_programs = reading;
-  with_programs.program = with_files_beside(reading.program, file, max_bytes,
-                                            [&inputs](const std::string& beside, const std::string& read) {
-                                              inputs.push_back(describe_input("program-beside", beside, read));
-                                            });
+  with_programs.program = with_files_beside(
+      reading.program, file, max_bytes, searches, [&inputs](const std::string& beside, const std::string& read) {
+        inputs.push_back(describe_input(rule_name(SearchRule::program_beside), beside, read));
+      });
   ReadOutcome outcome = read_toolpath(file, std::move(text), with_programs, progress.call());
   errors.insert(errors.end(), outcome.errors.begin(), outcome.errors.end());
   if (!outcome.toolpath) return std::nullopt;
@@ -39,14 +39,14 @@ std::optional<Toolpath> read_path_file(const std::string& file, const char* role
 }
 
 Result<ToolLibrary> read_tool_file(const std::string& file, const char* role, std::uint64_t max_bytes,
-                                   std::vector<InputFile>& inputs) {
+                                   std::vector<InputFile>& inputs, SearchLog& searches) {
   const Result<std::string> bytes = read_file(file, max_bytes);
   if (!bytes) return bytes.error();
   inputs.push_back(describe_input(role, file, *bytes));
-  Result<ReadTools> read = read_any_tools(file, *bytes, max_bytes);
+  Result<ReadTools> read = read_any_tools(file, *bytes, max_bytes, searches);
   if (!read) return read.error();
   for (const BesideFile& beside : read->besides)
-    inputs.push_back(describe_input("named-by-tools", beside.path, beside.bytes));
+    inputs.push_back(describe_input(rule_name(SearchRule::named_by_tools), beside.path, beside.bytes));
   return std::move(read->library);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/terminal/progress.h"
+#include "lib/base/file_search.h"
 #include "lib/base/result.h"
 #include "lib/path/toolpath.h"
 #include "postproc/formats/read_toolpath.h"
@@ -14,15 +15,17 @@
 
 namespace gouge {
 
-/// Reads a toolpath and adds its file to `inputs` with that role. Nothing: `errors` has the reasons.
+/// Reads a toolpath and adds its file to `inputs` with that role, and its searches for files beside it to `searches`. Nothing: `errors` has the reasons.
 /// Errors: those of read_long_file and read_toolpath. path-too-far: a position beyond the reach of the check.
 [[nodiscard]] std::optional<Toolpath> read_path_file(const std::string& file, const char* role, std::uint64_t max_bytes,
                                                      const ReadOptions& reading, Progress& progress,
-                                                     std::vector<InputFile>& inputs, Diagnostics& errors);
+                                                     std::vector<InputFile>& inputs, SearchLog& searches,
+                                                     Diagnostics& errors);
 
-/// Reads a tool library of any form, and adds its file and the files that it names to `inputs`.
+/// Reads a tool library of any form, and adds its file and the files that it names to `inputs`, and the searches for
+/// those to `searches`.
 /// Errors: those of read_file and read_any_tools.
 [[nodiscard]] Result<ToolLibrary> read_tool_file(const std::string& file, const char* role, std::uint64_t max_bytes,
-                                                 std::vector<InputFile>& inputs);
+                                                 std::vector<InputFile>& inputs, SearchLog& searches);
 
 }  // namespace gouge

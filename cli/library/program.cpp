@@ -76,6 +76,7 @@ Path Path::read_program(const std::string& file, const ProgramOptions& options) 
   if (!options.unit.empty() && !reading.unit)
     raise(gouge::make_error("usage", "unit '" + options.unit + "': expected mm or inch", file));
   std::vector<gouge::InputFile> lengths, files;
+  gouge::SearchLog searches;
   auto setup = std::make_shared<const gouge::ProgramSetup>(understood(options, lengths));
   const gouge::StatedMachine stated = stated_machine(options);
   if (!stated.machine.empty()) {
@@ -83,7 +84,7 @@ Path Path::read_program(const std::string& file, const ProgramOptions& options) 
     const gouge::Machine machine = value_or_raise(gouge::load_machine(stated, gouge::kMaxInputBytes, bytes));
     setup = gouge::with_machine(setup, machine, stated, std::nullopt, std::nullopt, std::nullopt);
   }
-  reading.program = gouge::with_files_beside(setup, file, gouge::kMaxInputBytes,
+  reading.program = gouge::with_files_beside(setup, file, gouge::kMaxInputBytes, searches,
                                              [&files](const std::string& beside, const std::string& bytes) {
                                                files.push_back(gouge::describe_input("program-beside", beside, bytes));
                                              });

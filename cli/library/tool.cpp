@@ -126,7 +126,8 @@ ToolLibrary::ToolLibrary(std::shared_ptr<const Content> content) : content_(std:
 ToolLibrary ToolLibrary::read(const std::string& file, const ImportFacts& facts) {
   const std::string bytes = value_or_raise(gouge::read_file(file));
   const gouge::ImportOptions options = import_options(facts, file, bytes);
-  gouge::ReadTools read = value_or_raise(gouge::read_any_tools(file, bytes, gouge::kMaxInputBytes, options));
+  gouge::SearchLog searches;
+  gouge::ReadTools read = value_or_raise(gouge::read_any_tools(file, bytes, gouge::kMaxInputBytes, searches, options));
   std::vector<gouge::InputFile> files = {gouge::describe_input("tools", file, bytes)};
   for (const gouge::BesideFile& beside : read.besides)
     files.push_back(gouge::describe_input("named-by-tools", beside.path, beside.bytes));

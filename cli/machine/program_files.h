@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "lib/base/file_search.h"
 #include "postproc/gcode/running/program_setup.h"
 
 namespace gouge {
@@ -12,11 +13,11 @@ namespace gouge {
 /// Receives the name and the text of a file that was read.
 using FileReceiver = std::function<void(const std::string& file, const std::string& bytes)>;
 
-/// Returns the set-up of a program with the programs beside its file. O77 means each file of that number, with zeros and
-/// an ending such as .nc or none: o00077.NC. Another name means the file of this name, with such an ending or none.
-/// `on_read` may be empty.
+/// Returns the set-up of a program with the programs beside its file (SearchRule::program_beside). Each search for one is
+/// added to `searches`, which must outlive the set-up. `on_read` may be empty.
 [[nodiscard]] std::shared_ptr<const ProgramSetup> with_files_beside(const std::shared_ptr<const ProgramSetup>& setup,
                                                                     const std::string& path_file,
-                                                                    std::uint64_t max_bytes, FileReceiver on_read);
+                                                                    std::uint64_t max_bytes, SearchLog& searches,
+                                                                    FileReceiver on_read);
 
 }  // namespace gouge

@@ -136,6 +136,7 @@ TEST(Repository, FormatsAreNamedInTheirTableAlone) { EXPECT_EQ(listed(check_form
 TEST(Repository, TolerancesHaveNames) { EXPECT_EQ(listed(check_tolerances(repository())), ""); }
 TEST(Repository, RandomNumbersAreTheSameEverywhere) { EXPECT_EQ(listed(check_random_numbers(repository())), ""); }
 TEST(Repository, TestsShareNoTemporaryFolders) { EXPECT_EQ(listed(check_temporary_folders(repository())), ""); }
+TEST(Repository, ReadersNoteTheirSearchesForFiles) { EXPECT_EQ(listed(check_file_searches(repository())), ""); }
 TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }
 TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) { EXPECT_EQ(listed(check_stray_text(repository())), ""); }
 

@@ -155,6 +155,14 @@ TEST(TemporaryFolders, OfFixedNamesAreRefused) {
   }
 }
 
+TEST(FileSearches, OfReadersThatNoteNoneAreRefused) {
+  for (const char* line : {"for (fs::directory_iterator at(folder), end; at != end; ++at) {}",
+                           "if (fs::exists(file)) {}", "if (std::filesystem::is_regular_file(file)) {}"}) {
+    EXPECT_EQ(check_file_searches({{"toolmodels/import/a.cpp", line}, {"cli/machine/b.cpp", line}}).size(), 2U) << line;
+    EXPECT_EQ(check_file_searches({{"cli/batch/a.cpp", line}, {"lib/base/file_search.cpp", line}}), Complaints{});
+  }
+}
+
 TEST(Shape, LongFilesAndHeadersWithoutPragmaOnceAreRefused) {
   std::string long_text;
   for (int i = 0; i < 501; ++i) long_text += "\n";

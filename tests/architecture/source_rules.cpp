@@ -278,6 +278,28 @@ Complaints check_temporary_folders(const std::vector<SourceFile>& files) {
   return complain_of_words(tests, kForeign, "makes files with", "tests/support/temporary_folder.h");
 }
 
+Complaints check_file_searches(const std::vector<SourceFile>& files) {
+  static const std::regex kForeign(
+      R"(\b(recursive_)?directory_iterator\b|\b(fs|filesystem)::(exists|is_regular_file|is_directory|status)\b|\bopendir\b|\bscandir\b)");
+  constexpr auto kReaders = std::to_array<const char*>(
+      {"lib/", "toolmodels/", "postproc/", "cli/job/", "cli/library/", "cli/machine/", "cli/options/", "cli/tools/"});
+  constexpr auto kOthers =
+      std::to_array<const char*>({"lib/base/file_search.cpp", "lib/base/files.cpp", "lib/base/staged_file.cpp",
+                                  "cli/job/mesh_copies.cpp",  // files that the program writes
+                                  "postproc/report_files/own_files.cpp",
+                                  "lib/base/similar_name.cpp",   // a message about a file that is not there
+                                  "postproc/image/font.cpp",     // fonts of the system
+                                  "cli/job/claimed_result.cpp",  // inputs of a result that is verified
+                                  "cli/options/mesh_limits.cpp",
+                                  "cli/options/stock_arguments.cpp"});  // the words of options, read again in each run
+  std::vector<SourceFile> readers;
+  std::ranges::copy_if(files, std::back_inserter(readers), [&](const SourceFile& file) {
+    return std::ranges::any_of(kReaders, [&](const char* folder) { return file.path.starts_with(folder); }) &&
+           std::ranges::find(kOthers, file.path) == kOthers.end();
+  });
+  return complain_of_words(readers, kForeign, "looks for files with", "lib/base/file_search.h");
+}
+
 Complaints check_shape(const std::vector<SourceFile>& files) {
   Complaints complaints;
   std::vector<std::size_t> lengths;

@@ -51,6 +51,10 @@ void complain(Complaints& complaints, const SourceFile& file, std::size_t line, 
 /// single precision, tests, and lib/verify, which shares nothing with the check.
 [[nodiscard]] Complaints check_tolerances(const std::vector<SourceFile>& files);
 
+/// Readers of inputs look for files by lib/base/file_search.h alone, which notes every search: a stored result depends on
+/// a file that is absent too. Other files that examine folders state their reason in the list of this rule.
+[[nodiscard]] Complaints check_file_searches(const std::vector<SourceFile>& files);
+
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
 [[nodiscard]] Complaints check_shape(const std::vector<SourceFile>& files);
 

@@ -29,7 +29,8 @@ class ProgramFiles : public ::testing::Test {
     for (const std::string& name : names) ASSERT_TRUE(write_file((folder_ / name).string(), name));
   }
   [[nodiscard]] Texts called(const std::string& name) const {
-    return with_files_beside({}, (folder_ / "main.nc").string(), 1000, {})->read_beside(name);
+    SearchLog searches;
+    return with_files_beside({}, (folder_ / "main.nc").string(), 1000, searches, {})->read_beside(name);
   }
 
   testing_support::TemporaryFolder temporary_;

@@ -1,13 +1,11 @@
 #include "toolmodels/import/collector.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "lib/base/files.h"
-#include "lib/base/letters.h"
 
 namespace gouge {
 
@@ -103,61 +101,25 @@ ImportedTools Collector::finish() {
   return std::move(made_);
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-// Returns the entries of a folder with this name: the entry with exactly this name, else all that differ from it in
-// case alone.
-std::vector<std::string> entries_called(const fs::path& folder, const std::string& name) {
-  std::error_code failed;
-  if (name == ".." || fs::exists(fs::symlink_status(folder / name, failed))) return {name};
-  std::vector<std::string> found;
-  for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, failed), end; !failed && at != end;
-       at.increment(failed)) {
-    const std::string entry = at->path().filename().string();
-    if (in_small_letters(entry) == in_small_letters(name)) found.push_back(entry);
-  }
-  std::ranges::sort(found);
-  return found;
-}
-
-struct Place {
-  fs::path path;
-  std::optional<Diagnostic> ambiguous;
-};
-
-// Returns the path of `name` below `folder`, spelled as the entries of the folder. Returns it as given if there is no
-// such file.
-Place find_ignoring_case(const fs::path& folder, const fs::path& name) {
-  fs::path at = folder;
-  for (const fs::path& step : name) {
-    const std::vector<std::string> found = entries_called(at, step.string());
-    if (found.size() > 1)
-      return {folder / name, make_error("import-beside",
-                                        "no file has exactly this name, and '" + found[0] + "' and '" + found[1] +
-                                            "' differ from it in case alone; rename one of them",
-                                        (folder / name).string())};
-    if (found.empty()) return {folder / name, std::nullopt};
-    at /= found.front();
-  }
-  return {at, std::nullopt};
-}
-
-}  // namespace
-
-Result<BesideFile> read_beside(const std::string& library_file, const std::string& name, std::uint64_t max_bytes) {
+Result<BesideFile> read_beside(const std::string& library_file, const std::string& name, std::uint64_t max_bytes,
+                               SearchLog& searches) {
+  namespace fs = std::filesystem;
   const fs::path folder = fs::path(library_file).parent_path();
-  std::vector<std::string> tried;
-  for (const fs::path& below : {fs::path(), fs::path("..") / "Bit"}) {
-    const Place place = find_ignoring_case(folder, below / name);
-    if (place.ambiguous) return *place.ambiguous;
-    tried.push_back(place.path.lexically_normal().string());
-    Result<std::string> bytes = read_file(tried.back(), max_bytes);
-    if (bytes) return BesideFile{tried.back(), std::move(*bytes)};
-    if (bytes.error().code != "file-not-found") return bytes.error();
+  const std::vector<std::string> found = find_files({SearchRule::named_by_tools, folder.string(), name}, searches);
+  if (found.size() > 1) {
+    const auto called = [&](std::size_t k) { return "'" + fs::path(found[k]).filename().string() + "'"; };
+    return make_error("import-beside",
+                      "no file has exactly this name, and " + called(0) + " and " + called(1) +
+                          " differ from it in case alone; rename one of them",
+                      (folder / name).string());
   }
-  return make_error("file-not-found", "there is no such file, nor " + tried[1], tried[0]);
+  if (found.empty())
+    return make_error("file-not-found",
+                      "there is no such file, nor " + (folder / ".." / "Bit" / name).lexically_normal().string(),
+                      (folder / name).lexically_normal().string());
+  Result<std::string> bytes = read_file(found.front(), max_bytes);
+  if (!bytes) return bytes.error();
+  return BesideFile{found.front(), std::move(*bytes)};
 }
 
 }  // namespace gouge

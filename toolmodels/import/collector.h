@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "lib/base/file_search.h"
 #include "lib/base/result.h"
 #include "toolmodels/import/catalogue_tool.h"
 #include "toolmodels/import/import_tools.h"
@@ -53,16 +54,15 @@ class Collector {
 [[nodiscard]] std::optional<int> tool_number(long long number);
 
 struct BesideFile {
-  std::string path;  ///< path of the file; if there is no such file, the first path that was tried
+  std::string path;
   std::string bytes;
 };
 
-/// Reads the file that a tool library names `name`. The places are the library's folder, then the folder Bit beside
-/// that folder, where FreeCAD keeps such files. If neither has exactly this name, upper and lower case count as equal.
+/// Reads the file that a tool library names `name` (SearchRule::named_by_tools). The search for it is added to `searches`.
 ///
 /// Errors   (1) file-not-found, with both places. (2) import-beside: several files differ in case alone. (3) Those of
 ///          read_file.
 [[nodiscard]] Result<BesideFile> read_beside(const std::string& library_file, const std::string& name,
-                                             std::uint64_t max_bytes);
+                                             std::uint64_t max_bytes, SearchLog& searches);
 
 }  // namespace gouge

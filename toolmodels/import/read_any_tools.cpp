@@ -37,10 +37,10 @@ std::string with_remedy(const Diagnostic& diagnostic, const std::string& file) {
 }
 
 Result<ReadTools> read_imported(const std::string& file, std::string_view bytes, ImportFormat format,
-                                std::uint64_t max_bytes, ImportOptions options) {
+                                std::uint64_t max_bytes, SearchLog& searches, ImportOptions options) {
   ReadTools read;
   options.read_beside = [&](const std::string& name) -> Result<std::string> {
-    Result<BesideFile> beside = read_beside(file, name, max_bytes);
+    Result<BesideFile> beside = read_beside(file, name, max_bytes, searches);
     if (!beside) return beside.error();
     read.besides.push_back(std::move(*beside));
     return read.besides.back().bytes;
@@ -85,9 +85,9 @@ std::string describe_foreign_library(const std::string& file, std::string_view b
 }
 
 Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes,
-                                 const ImportOptions& facts) {
+                                 SearchLog& searches, const ImportOptions& facts) {
   if (const std::optional<ImportFormat> format = recognise_format(bytes))
-    return read_imported(file, bytes, *format, max_bytes, facts);
+    return read_imported(file, bytes, *format, max_bytes, searches, facts);
   if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign_library(file, bytes), file);
   const Result<JsonFile> json = parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
   if (json && !is_ours(json->root)) return make_error("library-foreign", describe_foreign_library(file, bytes), file);
@@ -99,7 +99,8 @@ Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes
 Result<ReadTools> read_tools_file(const std::string& file, std::uint64_t max_bytes) {
   const Result<std::string> bytes = read_file(file, max_bytes);
   if (!bytes) return bytes.error();
-  return read_any_tools(file, *bytes, max_bytes);
+  SearchLog unused;
+  return read_any_tools(file, *bytes, max_bytes, unused);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/file_search.h"
 #include "lib/base/result.h"
 #include "toolmodels/import/collector.h"
 #include "toolmodels/import/import_tools.h"
@@ -19,15 +20,15 @@ struct ReadTools {
 
 /// Reads a tool library of this project, or imports one of another program. The reports of the importer are in the
 /// notes of the library; a tool that the importer leaves out is a warning there. `facts` holds for imports; files beside
-/// the library are read in any case.
+/// the library are read in any case, and each search for one is added to `searches`.
 ///
 /// Errors   (1) Those of read_tool_library and import_tools. (2) library-foreign: a file of another kind, which the
 ///          message names, with advice. (3) library-empty: no tool of the file can be imported; the message has the
 ///          first reason.
 [[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes,
-                                               const ImportOptions& facts = {});
+                                               SearchLog& searches, const ImportOptions& facts = {});
 
-/// Reads a file as read_any_tools does its bytes. Errors: those of read_file besides.
+/// Reads a file as read_any_tools does its bytes, for a use that no result depends on. Errors: those of read_file besides.
 [[nodiscard]] Result<ReadTools> read_tools_file(const std::string& file, std::uint64_t max_bytes);
 
 /// Returns what a file is that is no tool library, and what was expected, with advice.

@@ -21,6 +21,11 @@ std::string bit(const std::string& name, const std::string& diameter) {
          R"(","CuttingEdgeHeight":"18 mm","Length":"50 mm","ShankDiameter":"6 mm"}})";
 }
 
+Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes) {
+  SearchLog searches;
+  return gouge::read_any_tools(file, bytes, max_bytes, searches);
+}
+
 /// Folders like those of FreeCAD, below one of the test's own.
 class ToolFolders : public testing::Test {
  protected:
@@ -79,7 +84,8 @@ TEST_F(ToolFolders, FilesThatDifferInCaseAloneAreNotChosenFrom) {
 
 TEST_F(ToolFolders, ABitThatIsNowhereIsReportedWithBothPlaces) {
   write("Library/Mill.fctl", R"({"tools":[{"nr":1,"path":"em6.fctb"}]})");
-  const Result<BesideFile> beside = read_beside(at("Library/Mill.fctl"), "em6.fctb", kMaxBytes);
+  SearchLog searches;
+  const Result<BesideFile> beside = read_beside(at("Library/Mill.fctl"), "em6.fctb", kMaxBytes, searches);
   ASSERT_FALSE(beside.has_value());
   EXPECT_EQ(to_text(beside.error()),
             at("Library/em6.fctb") + ": error: there is no such file, nor " + at("Bit/em6.fctb") + " [file-not-found]");
