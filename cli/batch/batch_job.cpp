@@ -42,17 +42,24 @@ Result<ManifestEntry> describe(const fs::path& file) {
   return describe_file(file.has_parent_path() ? file.parent_path().string() : ".", file.filename().string());
 }
 
-// Returns the SHA-256 of `text` and the files with their checksums. Each file counts once, as two options may name the
-// same one.
-std::string key_of(const std::string& text, const std::set<std::pair<std::string, std::string>>& files) {
+using Checksums = std::set<std::pair<std::string, std::string>>;
+
+// Returns the SHA-256 of `text`, of the files with their checksums, and of the searches. Each file and each search counts
+// once, as two options may name the same file.
+std::string key_of(const std::string& text, const Checksums& files, const std::set<DoneSearch>& searches) {
   Sha256 hash;
   hash.add(text);
   for (const auto& [name, checksum] : files) hash.add(name + '\0' + checksum + '\n');
+  for (const auto& [search, found] : searches) {
+    hash.add(std::string(rule_name(search.rule)) + '\0' + search.folder + '\0' + search.name + '\n');
+    for (const std::string& file : found) hash.add(file + '\0');
+    hash.add("\n");
+  }
   return hash.finish();
 }
 
-std::set<std::pair<std::string, std::string>> checksums_of(const std::vector<InputFile>& inputs) {
-  std::set<std::pair<std::string, std::string>> files;
+Checksums checksums_of(const std::vector<InputFile>& inputs) {
+  Checksums files;
   for (const InputFile& input : inputs) files.emplace(input.name, input.checksum);
   return files;
 }
@@ -134,6 +141,13 @@ std::string FileHashes::of(const std::string& file) {
   return known_.try_emplace(file, hash).first->second;
 }
 
+std::vector<std::string> FileHashes::found_by(const FileSearch& search) {
+  const std::scoped_lock lock(guard_);
+  const auto [known, is_new] = searches_.try_emplace(search);
+  if (is_new) known->second = repeat_search(search);
+  return known->second;
+}
+
 std::string job_text(const BatchJob& job, const std::string& program) {
   std::string text = program + '\n' + job.name + '\n' + job.command() + (job.has_report ? " with report" : "") +
                      (job.has_own_certificate ? " with certificate" : "") + '\n';
@@ -141,15 +155,23 @@ std::string job_text(const BatchJob& job, const std::string& program) {
   return text;
 }
 
-std::string job_key(const BatchJob& job, const std::string& text, FileHashes& hashes) {
-  std::set<std::pair<std::string, std::string>> files;
-  for (const InputOption& input : inputs_of(job.job())) {
-    if (input.file.empty()) continue;
-    const std::string hash = hashes.of(input.file);
-    if (hash.empty()) return {};
-    files.emplace(input.file, hash);
+std::string job_key(const BatchJob& job, const std::string& text, const SearchLog& searches, FileHashes& hashes) {
+  std::set<std::string> names;
+  for (const InputOption& input : inputs_of(job.job()))
+    if (!input.file.empty()) names.insert(input.file);
+  std::set<DoneSearch> now;
+  for (const DoneSearch& done : searches) {
+    std::vector<std::string> found = hashes.found_by(done.search);
+    names.insert(found.begin(), found.end());
+    now.insert({done.search, std::move(found)});
   }
-  return key_of(text, files);
+  Checksums files;
+  for (const std::string& name : names) {
+    std::string hash = hashes.of(name);
+    if (hash.empty()) return {};
+    files.emplace(name, std::move(hash));
+  }
+  return key_of(text, files, now);
 }
 
 bool are_as_written(const std::vector<JobOutput>& outputs, const std::string& folder) {
@@ -181,11 +203,15 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
   std::optional<WorkStore> work;
   // The name of the work file is a hash of the content that the job has read, which the files may no longer have.
   const auto checkpoints_of = [&](const std::vector<InputFile>& inputs) -> CheckpointStore* {
-    work_file = folder + "/" + kWorkFolder + "/" + key_of(text, checksums_of(inputs)) + std::string(kWorkEnding);
+    work_file = folder + "/" + kWorkFolder + "/" + key_of(text, checksums_of(inputs), {}) + std::string(kWorkEnding);
     return &work.emplace(work_file, chunk);
   };
-  const JobContext context{out, err, scenes.source(job.job()),
-                           [&](const ReportModel& model) { take_report(model, result); }, checkpoints_of};
+  const JobContext context{out,
+                           err,
+                           scenes.source(job.job()),
+                           [&](const ReportModel& model) { take_report(model, result); },
+                           [&](const SearchLog& searches) { result.searches = searches; },
+                           checkpoints_of};
   std::error_code ignored;
   for (const fs::path output : {job.output(), job.has_own_certificate ? job.job().certificate_file : std::string()})
     if (output.has_parent_path()) fs::create_directories(output.parent_path(), ignored);
@@ -196,11 +222,11 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
     if (job.has_report) result.report = page;
     if (auto outputs = OutputLister(job, folder).run()) {
       result.outputs = std::move(*outputs);
-      result.key = key_of(text, checksums_of(result.inputs));
+      result.key = key_of(text, checksums_of(result.inputs), {result.searches.begin(), result.searches.end()});
     }
   } else if (job.refusal) {
     FileHashes hashes;
-    result.key = job_key(job, text, hashes);
+    result.key = job_key(job, text, {}, hashes);
   } else if (job.has_report && fs::exists(fs::path(folder) / page, ignored)) {
     result.messages +=
         to_text(make_note("report-old", "is of an earlier run, in which the job did not fail", page)) + "\n";

@@ -3,30 +3,38 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "cli/batch/batch_list.h"
 #include "cli/job/scene_store.h"
+#include "lib/base/file_search.h"
 #include "postproc/batch/job_result.h"
 
 namespace gouge {
 
-/// The SHA-256 of files, each of which is read once. May be used from several threads.
+/// The SHA-256 of files, each of which is read once, and the files that searches find now. May be used from several
+/// threads.
 class FileHashes {
  public:
   /// Returns "sha256:..." in the form of InputFile; empty if the file cannot be read.
   [[nodiscard]] std::string of(const std::string& file);
+  /// Returns the files that a search finds now.
+  [[nodiscard]] std::vector<std::string> found_by(const FileSearch& search);
 
  private:
   std::mutex guard_;
   std::map<std::string, std::string> known_;
+  std::map<FileSearch, std::vector<std::string>> searches_;
 };
 
 /// Returns a text of the inputs of a job other than its files: the program, its command and its words.
 [[nodiscard]] std::string job_text(const BatchJob& job, const std::string& program);
 
-/// Returns the SHA-256 of `text`, a job_text, and of the contents of the job's files. Empty if one of them cannot be
-/// read.
-[[nodiscard]] std::string job_key(const BatchJob& job, const std::string& text, FileHashes& hashes);
+/// Returns the SHA-256 of `text`, a job_text, of the contents of the job's files, and of what `searches` find now, with
+/// the contents of those files. Empty if a file cannot be read. A stored result holds as long as its key is that of its
+/// own searches: so a file counts too that was absent and now exists.
+[[nodiscard]] std::string job_key(const BatchJob& job, const std::string& text, const SearchLog& searches,
+                                  FileHashes& hashes);
 
 /// Returns whether all of `outputs` exist with the content that was written. Relative names are below `folder`.
 [[nodiscard]] bool are_as_written(const std::vector<JobOutput>& outputs, const std::string& folder);

@@ -264,10 +264,11 @@ class Batch {
     std::vector<std::size_t> numbers;
     for (const std::size_t number : identity_.numbers) {
       const auto known = stored.find(jobs_[number].name);
-      const bool is_done = !arguments_.is_fresh && known != stored.end() && !known->second->key.empty() &&
-                           known->second->status != kExitInternal &&
-                           known->second->key == job_key(jobs_[number], texts_[number], hashes) &&
-                           are_as_written(known->second->outputs, arguments_.folder);
+      const bool is_done =
+          !arguments_.is_fresh && known != stored.end() && !known->second->key.empty() &&
+          known->second->status != kExitInternal &&
+          known->second->key == job_key(jobs_[number], texts_[number], known->second->searches, hashes) &&
+          are_as_written(known->second->outputs, arguments_.folder);
       if (is_done) {
         ++taken_;
         is_stopped_ = is_stopped_ || is_reason_to_stop(stop_on(arguments_), known->second->status);
@@ -353,10 +354,11 @@ class Batch {
   void warn_of_two_contents(const std::vector<JobResult>& results) const {
     const std::optional<TwoContents> two = find_two_contents(results);
     if (!two) return;
+    const std::string found = two->is_search ? "was put there or removed" : "changed";
     print(err_, {make_warning("jobs-input-changed",
-                              "changed while the batch ran, so jobs were checked against different contents of it; "
-                              "run the batch again, which runs those that are of the old one",
-                              two->input.name)});
+                              found + " while the batch ran, so jobs were checked against different contents of it; "
+                                      "run the batch again, which runs those that are of the old one",
+                              two->name)});
   }
 
   // Returns the results of the jobs with these numbers, in the order of `all`.

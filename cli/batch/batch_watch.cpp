@@ -98,12 +98,13 @@ std::optional<Diagnostic> find_wrong_place(const std::string& place) {
 
 void watch_toolpaths(const WatchedPlace& watched, const RunToolpaths& run, const TakeWarning& warn) {
   SettledFiles files(watched.place, watched.output);
-  SettledInputs inputs(watched.inputs, now_s());
+  SettledInputs inputs(watched.inputs(), now_s());
   const FolderNews news;
   FolderWarnings warnings(warn);
   FileStamps last, last_inputs;
   while (true) {
     FileStamps settled = files.look(now_s());
+    inputs.set(watched.inputs());
     FileStamps settled_inputs = inputs.look(now_s());
     news.add(files.folders());
     warnings.tell(files.unreadable());

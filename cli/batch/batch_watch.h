@@ -18,10 +18,11 @@ using RunToolpaths = std::function<AfterRun(const std::vector<std::string>&)>;
 using TakeWarning = std::function<void(const Diagnostic&)>;
 
 struct WatchedPlace {
-  std::string place;                ///< a folder, or a pattern such as "hot/*.apt"
-  std::string output;               ///< folder of the results, whose files are no toolpaths
-  bool are_programs = false;        ///< which endings the toolpaths of a folder have (has_toolpath_ending)
-  std::vector<std::string> inputs;  ///< files other than toolpaths that each run reads
+  std::string place;          ///< a folder, or a pattern such as "hot/*.apt"
+  std::string output;         ///< folder of the results, whose files are no toolpaths
+  bool are_programs = false;  ///< which endings the toolpaths of a folder have (has_toolpath_ending)
+  /// Returns the files other than toolpaths that the next run reads, as far as they are known.
+  std::function<std::vector<std::string>()> inputs;
 };
 
 /// Returns why a place cannot be watched: there is no such folder (code usage). Returns nothing if it can.

@@ -133,16 +133,19 @@ class Merge {
     return std::nullopt;
   }
 
-  // Finds a file of which the shards read different contents, as no single run does. Then some verdicts hold for
+  // Finds a file of which the shards read different contents, or which only one of them found, as no single run does. Then some verdicts hold for
   // another part than others.
   [[nodiscard]] std::optional<Diagnostic> find_other_content() const {
     const std::optional<TwoContents> two = find_two_contents(results_);
     if (!two) return std::nullopt;
-    return unfit(folder_of(two->second),
-                 "its " + two->input.role + " " + printable(two->input.name) + " had another content than in " +
-                     folder_of(two->first) +
-                     "; expected the same files for all shards: run the shard again whose file was "
-                     "the wrong one");
+    const std::string& first = folder_of(two->first);
+    const std::string expected = "; expected the same files for all shards: run the shard again whose file was ";
+    const std::string its = "its " + two->role + " " + printable(two->name);
+    if (two->is_search)
+      return unfit(folder_of(two->second), its + " is another file than in " + first +
+                                               ", or only one of them has such a file" + expected +
+                                               "missing or the wrong one");
+    return unfit(folder_of(two->second), its + " had another content than in " + first + expected + "the wrong one");
   }
 
   [[nodiscard]] const std::string& folder_of(std::size_t result) const {

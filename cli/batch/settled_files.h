@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/batch/toolpath_files.h"
@@ -63,6 +64,8 @@ class SettledInputs {
  public:
   SettledInputs(std::vector<std::string> files, double now_s);
 
+  /// Replaces the names of the files. A file that is new here counts as changed.
+  void set(std::vector<std::string> files) { files_ = std::move(files); }
   /// Returns the stamps of the files when none of them had changed for a second; at first those at the construction.
   [[nodiscard]] FileStamps look(double now_s);
   /// Returns whether a file has changed within the last second.

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +50,7 @@ class HotFolder {
       if (const Outcome locked = lock(); !locked) return fail(err_, {locked.error()}, kExitInternal);
     }
     watch_toolpaths(
-        {arguments_.watch, arguments_.folder, are_of_programs(arguments_.words), inputs()},
+        {arguments_.watch, arguments_.folder, are_of_programs(arguments_.words), [this] { return inputs(); }},
         [this](const std::vector<std::string>& files) { return check(files); },
         [this](const Diagnostic& warning) {
           if (!arguments_.is_quiet) print(err_, {warning});
@@ -67,11 +68,15 @@ class HotFolder {
     return Done{};
   }
 
-  /// Returns the files other than toolpaths that the jobs read.
+  /// Returns the files other than toolpaths that the jobs read. Files that they look for count as soon as they exist.
   [[nodiscard]] std::vector<std::string> inputs() const {
     std::vector<std::string> files;
     for (const InputOption& input : inputs_of(arguments_.check.job)) {
       if (!input.file.empty()) files.push_back(input.file);
+    }
+    for (const FileSearch& search : searches_) {
+      const std::vector<std::string> found = repeat_search(search);
+      files.insert(files.end(), found.begin(), found.end());
     }
     return files;
   }
@@ -88,9 +93,17 @@ class HotFolder {
     // A query that has the store open for a moment must not end the watch.
     if (end.is_busy) return AfterRun::again;
     is_first_ = false;
+    take_searches(end.results);
     if (!end.is_done || !out_.good()) return AfterRun::end;
     if (!arguments_.is_quiet) tell_at_end(end.results);
     return AfterRun::go_on;
+  }
+
+  void take_searches(const std::vector<JobResult>& results) {
+    searches_.clear();
+    for (const JobResult& job : results) {
+      for (const DoneSearch& done : job.searches) searches_.insert(done.search);
+    }
   }
 
   // Prepares the line that ctrl-C prints.
@@ -105,6 +118,7 @@ class HotFolder {
   std::ostream& err_;
   std::optional<ReportLock> lock_;
   std::optional<EndNote> note_;
+  std::set<FileSearch> searches_;  // those of the jobs in the last run
   bool is_first_ = true;
   int status_ = kExitClean;
 };

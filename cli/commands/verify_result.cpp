@@ -1,6 +1,8 @@
 #include "cli/commands/verify_result.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "cli/options/baseline.h"
 #include "lib/base/files.h"
@@ -58,6 +60,37 @@ bool are_same(const std::vector<InputFile>& a, const std::vector<InputFile>& b) 
   });
 }
 
+/// Returns the inputs of `a` that are not in `b`.
+std::vector<InputFile> missing_from(const std::vector<InputFile>& a, std::vector<InputFile> b) {
+  std::vector<InputFile> missing;
+  for (const InputFile& input : a) {
+    const auto same = std::ranges::find_if(
+        b, [&](const InputFile& other) { return input.role == other.role && input.checksum == other.checksum; });
+    if (same == b.end())
+      missing.push_back(input);
+    else
+      b.erase(same);
+  }
+  return missing;
+}
+
+/// Returns the files that are read now but were not when the result was made, and those that are no longer read: a file
+/// was put beside the program or the tool library since.
+std::vector<Verification::Refuted> find_other_files(const std::vector<InputFile>& now,
+                                                    const std::vector<InputFile>& then) {
+  std::vector<Verification::Refuted> others;
+  const auto add = [&](const InputFile& input, const std::string& what) {
+    Verification::Refuted one;
+    one.what = "the " + input.role + " " + input.name + what;
+    others.push_back(std::move(one));
+  };
+  for (const InputFile& input : missing_from(now, then))
+    add(input, " is read now, but was not there when this was checked");
+  for (const InputFile& input : missing_from(then, now))
+    add(input, " was read when this was checked, but no longer is");
+  return others;
+}
+
 /// Returns the error about a result that does not name the files of all inputs.
 std::optional<Diagnostic> find_not_recorded(const std::string& file, const ClaimedResult& result) {
   if (result.not_recorded.empty() || result.digest != DigestState::right) return std::nullopt;
@@ -83,6 +116,11 @@ void verify_unchanged(const std::string& file, const NamedCertificate& certifica
     if (!stock) return;
   }
   if (!are_same(loaded.job->inputs, result.inputs)) {
+    if (std::vector<Verification::Refuted> others = find_other_files(loaded.job->inputs, result.inputs);
+        !others.empty()) {
+      one.verification.emplace().refuted = std::move(others);
+      return;
+    }
     one.errors = {make_error("input-changed", "the inputs changed while they were read; run it again", file)};
     return;
   }

@@ -76,8 +76,10 @@ std::string collision_with_output(const Target& target, const Target& earlier) {
 }  // namespace
 
 std::vector<InputOption> inputs_of(const JobArguments& a) {
-  std::vector<InputOption> inputs = {
-      {"the toolpath", a.path}, {"the tool library", a.tools_file}, {"the accepted findings", a.baseline_file}};
+  std::vector<InputOption> inputs = {{"the toolpath", a.path},
+                                     {"the tool library", a.tools_file},
+                                     {"the accepted findings", a.baseline_file},
+                                     {"the tool lengths", a.reading.tool_lengths}};
   for (const std::string& file : a.parts) inputs.push_back({"the part", file});
   for (const std::string& file : a.fixtures) inputs.push_back({"the fixture", file});
   for (const std::string& file : a.heads) inputs.push_back({"the head", file});

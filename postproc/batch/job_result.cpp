@@ -111,7 +111,16 @@ std::optional<TwoContents> find_two_contents(const std::vector<JobResult>& jobs)
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     for (const InputFile& input : jobs[k].inputs) {
       const auto [first, is_new] = contents.try_emplace(input.name, input.checksum, k);
-      if (!is_new && first->second.first != input.checksum) return TwoContents{input, first->second.second, k};
+      if (!is_new && first->second.first != input.checksum)
+        return TwoContents{input.role, input.name, false, first->second.second, k};
+    }
+  }
+  std::map<FileSearch, std::pair<std::vector<std::string>, std::size_t>> searches;
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    for (const auto& [search, found] : jobs[k].searches) {
+      const auto [first, is_new] = searches.try_emplace(search, found, k);
+      if (!is_new && first->second.first != found)
+        return TwoContents{rule_name(search.rule), place_of(search), true, first->second.second, k};
     }
   }
   return std::nullopt;

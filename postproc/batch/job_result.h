@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/file_search.h"
 #include "postproc/report/findings.h"
 
 namespace gouge {
@@ -34,6 +35,7 @@ struct JobResult {
   std::string beside;  ///< notes and warnings besides the verdict, one in each line
   Diagnostics notes;   ///< notes and warnings; first those of contradicted facts, then those of other open facts
   std::vector<InputFile> inputs;
+  SearchLog searches;  ///< for files that may be absent; those that were found are in `inputs` too
   std::vector<JobOutput> outputs;
   std::string report;    ///< its report.html relative to the folder of the batch; empty: none
   std::string key;       ///< SHA-256 of all data on which the result depends; empty: the result must not be used again
@@ -68,13 +70,14 @@ struct JobResult {
 /// Returns the number of jobs with each verdict: "3 clean, 2 gouges, 1 failed".
 [[nodiscard]] std::string verdict_counts(const std::vector<JobResult>& jobs);
 
-/// A file of which two jobs read different contents.
+/// A file of which two jobs read different contents, or a search that found different files for two jobs.
 struct TwoContents {
-  InputFile input;                    ///< as the second job read it
+  std::string role, name;
+  bool is_search = false;             ///< `name` is the place where both jobs looked for a file
   std::size_t first = 0, second = 0;  ///< indices of the jobs
 };
 
-/// Returns the first such file; none if every verdict holds for the same contents.
+/// Returns the first such file, else the first such search; none if every verdict holds for the same contents.
 [[nodiscard]] std::optional<TwoContents> find_two_contents(const std::vector<JobResult>& jobs);
 
 /// Copies into `result` all data of a report that a batch keeps.

@@ -58,12 +58,13 @@ class Database {
 };
 
 /// The PRAGMA user_version of a store. Stores with other tables have another number.
-inline constexpr int kStoreVersion = 4;
+inline constexpr int kStoreVersion = 5;
 /// The PRAGMA application_id of a store: "goug".
 inline constexpr int kStoreApplication = 0x676f7567;
 
 /// The tables other than `jobs` that have rows of a job, each with a column `job`.
-inline constexpr std::string_view kTablesOfJob[] = {"counts", "findings", "cases", "warnings", "inputs", "outputs"};
+inline constexpr std::string_view kTablesOfJob[] = {"counts", "findings", "cases", "warnings",
+                                                    "inputs", "searches", "found", "outputs"};
 
 /// The statements that create the tables. docs/formats/batch_store.md states the meaning of each column.
 inline constexpr std::string_view kCreateTables[] = {
@@ -89,6 +90,10 @@ inline constexpr std::string_view kCreateTables[] = {
     "NULL, file TEXT NOT NULL, line INTEGER NOT NULL, message TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID",
     "CREATE TABLE inputs(job INTEGER NOT NULL, number INTEGER NOT NULL, role TEXT NOT NULL, file TEXT NOT NULL, bytes "
     "INTEGER NOT NULL, checksum TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID",
+    "CREATE TABLE searches(job INTEGER NOT NULL, number INTEGER NOT NULL, role TEXT NOT NULL, folder TEXT NOT NULL, name "
+    "TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID",
+    "CREATE TABLE found(job INTEGER NOT NULL, search INTEGER NOT NULL, number INTEGER NOT NULL, file TEXT NOT NULL, "
+    "PRIMARY KEY(job, search, number)) WITHOUT ROWID",
     "CREATE TABLE outputs(job INTEGER NOT NULL, number INTEGER NOT NULL, file TEXT NOT NULL, bytes INTEGER NOT NULL, "
     "sha256 TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID"};
 

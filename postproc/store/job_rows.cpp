@@ -54,6 +54,12 @@ void put_lists(const PutRow& put, std::int64_t job, const JobResult& result) {
     const InputFile& one = result.inputs[k];
     put("INSERT INTO inputs VALUES(?,?,?,?,?,?)", {job, whole(k), one.role, one.name, whole(one.bytes), one.checksum});
   }
+  for (std::size_t k = 0; k < result.searches.size(); ++k) {
+    const auto& [search, found] = result.searches[k];
+    put("INSERT INTO searches VALUES(?,?,?,?,?)", {job, whole(k), rule_name(search.rule), search.folder, search.name});
+    for (std::size_t n = 0; n < found.size(); ++n)
+      put("INSERT INTO found VALUES(?,?,?,?)", {job, whole(k), whole(n), found[n]});
+  }
   for (std::size_t k = 0; k < result.outputs.size(); ++k) {
     const JobOutput& one = result.outputs[k];
     put("INSERT INTO outputs VALUES(?,?,?,?,?)", {job, whole(k), one.file, whole(one.bytes), one.sha256});
@@ -211,6 +217,14 @@ void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& pl
   });
   each("SELECT * FROM inputs ORDER BY job, number", [](const Row& row, JobResult& job) {
     job.inputs.push_back({row.text(2), row.text(3), static_cast<std::uint64_t>(row.integer(4)), row.text(5)});
+  });
+  each("SELECT * FROM searches ORDER BY job, number", [](const Row& row, JobResult& job) {
+    const SearchRule rule = search_rule_called(row.text(2)).value_or(SearchRule::program_beside);
+    job.searches.push_back({{rule, row.text(3), row.text(4)}, {}});
+  });
+  each("SELECT * FROM found ORDER BY job, search, number", [](const Row& row, JobResult& job) {
+    const std::size_t search = size(row.integer(1));
+    if (search < job.searches.size()) job.searches[search].found.push_back(row.text(3));
   });
   each("SELECT * FROM outputs ORDER BY job, number", [](const Row& row, JobResult& job) {
     job.outputs.push_back({row.text(2), static_cast<std::uint64_t>(row.integer(3)), row.text(4)});

@@ -72,7 +72,8 @@ void ResultStore::read_done() {
   });
   read_jobs(database_, places, jobs);
   for (JobResult& job : jobs)
-    done_.push_back({job.name, job.is_altered ? "" : job.key, job.status.value_or(0), std::move(job.outputs)});
+    done_.push_back({job.name, job.is_altered ? "" : job.key, job.status.value_or(0), std::move(job.outputs),
+                     std::move(job.searches)});
 }
 
 Outcome ResultStore::begin(const BatchIdentity& batch) {

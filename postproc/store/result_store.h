@@ -27,6 +27,7 @@ struct StoredJob {
   std::string name, key;  ///< empty key: the result must not be used again
   int status = 0;
   std::vector<JobOutput> outputs;
+  SearchLog searches;
 };
 
 /// The file results.sqlite of a batch (docs/formats/batch_store.md). It has the results of its jobs, each committed as

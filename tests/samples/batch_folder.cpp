@@ -54,8 +54,8 @@ std::string rows_of(const std::string& file) {
   sqlite3* store = nullptr;
   std::string all;
   if (sqlite3_open_v2(file.c_str(), &store, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) {
-    for (const char* table :
-         {"runs", "names", "jobs", "counts", "findings", "cases", "warnings", "inputs", "outputs"}) {
+    for (const char* table : {"runs", "names", "jobs", "counts", "findings", "cases", "warnings", "inputs", "searches",
+                              "found", "outputs"}) {
       std::vector<std::string> rows;
       char* error = nullptr;
       if (sqlite3_exec(store, (std::string("SELECT * FROM ") + table).c_str(), take_row, &rows, &error) != SQLITE_OK)
