@@ -115,8 +115,16 @@ ReadOutcome ToolpathReader::read(const std::string& file) const {
   }
   ReadOptions options = options_;
   SearchLog searches;
-  options.program = with_files_beside(options.program, file, max_bytes_, searches, {});
+  std::optional<Diagnostic> unreadable;
+  options.program = with_files_beside(options.program, file, max_bytes_, searches,
+                                      [&unreadable](const std::string&, const Result<std::string>& beside) {
+                                        if (!beside && !unreadable) unreadable = beside.error();
+                                      });
   ReadOutcome outcome = read_toolpath(file, std::move(*bytes), options);
+  if (unreadable) {
+    outcome.errors.push_back(*unreadable);
+    outcome.toolpath.reset();
+  }
   if (outcome.toolpath) warn_of_unknown_unit(*outcome.toolpath);
   return outcome;
 }

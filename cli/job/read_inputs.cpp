@@ -21,13 +21,16 @@ std::optional<Toolpath> read_path_file(const std::string& file, const char* role
   SourceText text(std::move(*bytes));
   inputs.push_back(describe_input(role, file, text));
   ReadOptions with_programs = reading;
+  std::optional<Diagnostic> unreadable;
   with_programs.program = with_files_beside(
-      reading.program, file, max_bytes, searches, [&inputs](const std::string& beside, const std::string& read) {
-        inputs.push_back(describe_input(rule_name(SearchRule::program_beside), beside, read));
+      reading.program, file, max_bytes, searches, [&](const std::string& beside, const Result<std::string>& read) {
+        if (read) return inputs.push_back(describe_input(rule_name(SearchRule::program_beside), beside, *read));
+        if (!unreadable) unreadable = read.error();
       });
   ReadOutcome outcome = read_toolpath(file, std::move(text), with_programs, progress.call());
   errors.insert(errors.end(), outcome.errors.begin(), outcome.errors.end());
-  if (!outcome.toolpath) return std::nullopt;
+  if (unreadable) errors.push_back(*unreadable);
+  if (!outcome.toolpath || unreadable) return std::nullopt;
   for (const Move& move : outcome.toolpath->moves) {
     if (is_within_reach(move.end.tip)) continue;
     errors.push_back(make_error(

@@ -77,6 +77,7 @@ Path Path::read_program(const std::string& file, const ProgramOptions& options) 
     raise(gouge::make_error("usage", "unit '" + options.unit + "': expected mm or inch", file));
   std::vector<gouge::InputFile> lengths, files;
   gouge::SearchLog searches;
+  std::optional<gouge::Diagnostic> unreadable;
   auto setup = std::make_shared<const gouge::ProgramSetup>(understood(options, lengths));
   const gouge::StatedMachine stated = stated_machine(options);
   if (!stated.machine.empty()) {
@@ -84,11 +85,16 @@ Path Path::read_program(const std::string& file, const ProgramOptions& options) 
     const gouge::Machine machine = value_or_raise(gouge::load_machine(stated, gouge::kMaxInputBytes, bytes));
     setup = gouge::with_machine(setup, machine, stated, std::nullopt, std::nullopt, std::nullopt);
   }
-  reading.program = gouge::with_files_beside(setup, file, gouge::kMaxInputBytes, searches,
-                                             [&files](const std::string& beside, const std::string& bytes) {
-                                               files.push_back(gouge::describe_input("program-beside", beside, bytes));
-                                             });
+  reading.program =
+      gouge::with_files_beside(setup, file, gouge::kMaxInputBytes, searches,
+                               [&](const std::string& beside, const gouge::Result<std::string>& bytes) {
+                                 if (bytes)
+                                   files.push_back(gouge::describe_input("program-beside", beside, *bytes));
+                                 else if (!unreadable)
+                                   unreadable = bytes.error();
+                               });
   const Path path = PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), reading);
+  if (unreadable) raise(*unreadable);
   files.insert(files.end(), lengths.begin(), lengths.end());
   return PathAccess::with_program(path,
                                   {machine_key(stated), options.joint_rapid_law, recorded(options), std::move(files)});

@@ -7,6 +7,7 @@
 #include "lib/base/files.h"
 
 namespace gouge {
+
 namespace fs = std::filesystem;
 
 std::shared_ptr<const ProgramSetup> with_files_beside(const std::shared_ptr<const ProgramSetup>& setup,
@@ -21,9 +22,8 @@ std::shared_ptr<const ProgramSetup> with_files_beside(const std::shared_ptr<cons
     std::vector<std::string> texts;
     for (const std::string& file : find_files({SearchRule::program_beside, folder, name}, searches)) {
       Result<std::string> bytes = read_file(file, max_bytes);
-      if (!bytes) continue;
-      if (on_read) on_read(file, *bytes);
-      texts.push_back(std::move(*bytes));
+      on_read(file, bytes);
+      if (bytes) texts.push_back(std::move(*bytes));
     }
     return texts;
   };

@@ -30,7 +30,9 @@ class ProgramFiles : public ::testing::Test {
   }
   [[nodiscard]] Texts called(const std::string& name) const {
     SearchLog searches;
-    return with_files_beside({}, (folder_ / "main.nc").string(), 1000, searches, {})->read_beside(name);
+    return with_files_beside({}, (folder_ / "main.nc").string(), 1000, searches,
+                             [](const std::string&, const Result<std::string>&) {})
+        ->read_beside(name);
   }
 
   testing_support::TemporaryFolder temporary_;

@@ -105,6 +105,16 @@ TEST_F(BatchBeside, AProgramThatIsPutThereRunsItsCallersAgain) {
                "G1 X5 Z-5 F100\nM17\n");
 }
 
+// The control may run the file, so the program of that name within the file is not taken in its place.
+TEST_F(BatchBeside, AProgramThatCannotBeReadIsAnError) {
+  write("m.nc", kFanucText);
+  write("O2000.nc", kFanucBeside + std::string(9000, ' '));
+  const Outcome ran = run_gougecheck(folder_, {"check", "m.nc", "--part", "part.stl", "--tools", "t.json", "--control",
+                                               "fanuc", "--joint-rapid-law", "joint", "--max-input", "8kB"});
+  EXPECT_EQ(ran.exit_status, 3) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("O2000.nc: error: has 9028 bytes; expected at most 8 kB"), std::string::npos) << ran.err;
+}
+
 TEST_F(BatchBeside, AHolderDatabaseThatIsPutThereRunsTheJobAgain) {
   write("part.stl", box_stl({-100, 5, -5}, {100, 9, 60}));
   write("a.apt", "PARTNO/A\nUNITS/MM\nLOADTL/1\nFEDRAT/100,MMPM\nGOTO/-30,0,1\nGOTO/30,0,1\nFINI\n");
