@@ -44,6 +44,9 @@ struct ToolAssembly {
   /// States why the tool may be another one than described: a part of its description was left out or is missing. Empty:
   /// it is certain.
   std::string uncertainty{};
+  /// States why the holder that the file names is not part of the tool; empty: the file names none, or it is there. The
+  /// tool is uncertain as long as it has no holder.
+  std::string missing_holder{};
 };
 
 /// The closed contour of each body, at its position in the tool; the index is Body. A contour without elements: the

@@ -10,6 +10,7 @@
 #include "lib/json/json_file.h"
 #include "toolmodels/cutter_fields.h"
 #include "toolmodels/cutter_shapes.h"
+#include "toolmodels/json_words.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -17,13 +18,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-const char* type_word(const Json& value) {
-  if (value.is_string()) return "a text";
-  if (value.is_number()) return "a number";
-  if (value.is_array()) return "a list";
-  if (value.is_object()) return "an object";
-  return value.is_null() ? "null" : "true or false";
-}
+using detail::keys_text;
+using detail::type_word;
 
 // A reader of values that knows where each stands in the file. It keeps the first error, and then returns empty values,
 // so the functions below need no test after each step.
@@ -76,15 +72,6 @@ class Reader {
     return false;
   }
 
-  // Names the keys that an object has: one of them may be mistyped.
-  static std::string keys_text(const Json& object) {
-    constexpr std::size_t kMaxKeys = 12;
-    std::vector<std::string> keys;
-    for (const auto& [key, value] : object.items())
-      if (keys.size() < kMaxKeys) keys.push_back("\"" + key + "\"");
-    return keys.empty() ? std::string() : ", and has " + listed(keys);
-  }
-
   double number(const Json& object, const char* key, const std::string& pointer, const std::string& who,
                 std::optional<double> otherwise = std::nullopt) {
     const auto found = object.find(key);
@@ -119,6 +106,7 @@ class Reader {
   void read_root(const Json& root) {
     if (!is_object(root, "", "the library")) return;
     warn_unknown_keys(root, "", "the library", {"units", "tools", "holders", "$schema", "comment"});
+    if (!library_.notes.empty()) unknown_key_ = library_.notes.front().message;
     const std::string units = text(root, "units", "", "the library");
     if (units == "inch")
       library_.unit = LengthUnit::inch;
@@ -130,6 +118,15 @@ class Reader {
     if (error_) return;
     read_holders(root);
     read_tools(root);
+    if (!unknown_key_.empty()) mark_all_uncertain();
+  }
+
+  // A key of the whole library may have described any of its tools.
+  void mark_all_uncertain() {
+    for (ToolAssembly& tool : library_.tools)
+      if (tool.uncertainty.empty()) tool.uncertainty = unknown_key_;
+    for (NamedHolder& holder : library_.holders)
+      if (holder.uncertainty.empty()) holder.uncertainty = unknown_key_;
   }
 
   void read_holders(const Json& root) {
@@ -140,14 +137,17 @@ class Reader {
       const Json& entry = (*found)[i];
       const std::string who = "holder " + std::to_string(i + 1);
       if (!is_object(entry, pointer, who)) return;
-      warn_unknown_keys(entry, pointer, who, {"name", "segments", "comment"});
+      const std::size_t notes_before = library_.notes.size();
+      warn_unknown_keys(entry, pointer, who, {"name", "segments", "uncertain", "comment"});
       NamedHolder holder{text(entry, "name", pointer, who), {}};
       if (holder.name.empty()) fail("library-field", who + " has no \"name\"; it needs one", pointer);
       if (!entry.contains("segments"))
         fail("library-field", who + " has no \"segments\"; it needs them", pointer);
       else
-        holder.segments = read_segments(entry["segments"], pointer + "/segments", who);
+        holder.segments = read_segments(entry["segments"], pointer + "/segments", who + ": segment");
       check_holder(holder, pointer, who);
+      holder.uncertainty = read_uncertainty(entry, pointer, who, notes_before);
+      if (holder.uncertainty.empty() && holder.segments.empty()) holder.uncertainty = "it has no segments";
       if (!holders_.try_emplace(holder.name, library_.holders.size()).second)
         fail("library-duplicate-name", who + " has the name of an earlier one; give every holder a name of its own",
              pointer + "/name");
@@ -207,13 +207,19 @@ class Reader {
     tool.gauge_length_mm = length(entry, "gauge_length", pointer, who, 0);
     if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
     if (entry.contains("cuts")) read_cuts(entry["cuts"], pointer + "/cuts", who, tool);
-    tool.uncertainty = text(entry, "uncertain", pointer, who);
-    if (!tool.uncertainty.empty())
-      library_.notes.push_back(make_note("library-uncertain", who + " is not certain: " + tool.uncertainty,
-                                         library_.file, lines_.at(pointer + "/uncertain")));
-    else
-      tool.uncertainty = first_unknown_key(notes_before);
+    const std::string own = read_uncertainty(entry, pointer, who, notes_before);
+    if (!own.empty()) tool.uncertainty = own;  // else it is that of the holder
     if (!error_) add_tool(std::move(tool), pointer, who);
+  }
+
+  // Returns the reason in "uncertain", or else the first unknown key of the entry, or nothing.
+  std::string read_uncertainty(const Json& entry, const std::string& pointer, const std::string& who,
+                               std::size_t notes_before) {
+    const std::string stated = text(entry, "uncertain", pointer, who);
+    if (stated.empty()) return first_unknown_key(notes_before);
+    library_.notes.push_back(make_note("library-uncertain", who + " is not certain: " + stated, library_.file,
+                                       lines_.at(pointer + "/uncertain")));
+    return stated;
   }
 
   void read_number(const Json& entry, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
@@ -236,24 +242,27 @@ class Reader {
   void read_tool_holder(const Json& value, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
     if (!value.is_string()) {
       tool.holder = read_segments(value, pointer, who + ": holder");
+      if (tool.holder.empty()) tool.missing_holder = "its holder has no segments";
       return;
     }
     const std::string name = value.get<std::string>();
-    const std::vector<ToolSegment>* holder = holder_called(name);
-    if (holder != nullptr)
-      tool.holder = *holder;
-    else
-      fail("library-field",
-           who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder", pointer);
+    const std::optional<NamedHolder> holder = holder_called(name);
+    if (!holder)
+      return fail("library-field",
+                  who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder",
+                  pointer);
+    tool.holder = holder->segments;
+    (tool.holder.empty() ? tool.missing_holder : tool.uncertainty) = uncertainty_of_owner(*holder);
   }
 
   // Returns the holder that ToolLibrary::holder_called finds; that function searches the tools one by one.
-  const std::vector<ToolSegment>* holder_called(const std::string& name) const {
-    if (const auto holder = holders_.find(name); holder != holders_.end())
-      return &library_.holders[holder->second].segments;
-    const auto tool = by_name_.find(name);
-    return tool != by_name_.end() && !library_.tools[tool->second].holder.empty() ? &library_.tools[tool->second].holder
-                                                                                  : nullptr;
+  [[nodiscard]] std::optional<NamedHolder> holder_called(const std::string& name) const {
+    if (const auto holder = holders_.find(name); holder != holders_.end()) return library_.holders[holder->second];
+    const auto found = by_name_.find(name);
+    if (found == by_name_.end()) return std::nullopt;
+    const ToolAssembly& tool = library_.tools[found->second];
+    if (tool.holder.empty()) return std::nullopt;
+    return NamedHolder{name, tool.holder, tool.uncertainty};
   }
 
   void read_cutter(const Json& value, const std::string& pointer, const std::string& tool_name, ToolAssembly& tool) {
@@ -370,6 +379,7 @@ class Reader {
 
   JsonLines lines_;
   ToolLibrary library_;
+  std::string unknown_key_;                               // the first unknown key of the whole library; empty: none
   std::unordered_set<int> numbers_;                       // tool numbers already in use
   std::unordered_map<std::string, std::size_t> by_name_;  // the first tool of each name
   std::unordered_map<std::string, std::size_t> holders_;  // the first holder of each name

@@ -37,12 +37,17 @@ const ToolAssembly* ToolLibrary::called(std::string_view name) const {
   return number ? with_number(*number) : nullptr;
 }
 
-const std::vector<ToolSegment>* ToolLibrary::holder_called(std::string_view name) const {
+std::string uncertainty_of_owner(const NamedHolder& holder) {
+  return holder.uncertainty.empty() ? std::string() : "holder \"" + holder.name + "\": " + holder.uncertainty;
+}
+
+std::optional<NamedHolder> ToolLibrary::holder_called(std::string_view name) const {
   for (const NamedHolder& holder : holders) {
-    if (holder.name == name) return &holder.segments;
+    if (holder.name == name) return holder;
   }
   const ToolAssembly* tool = with_name(name);
-  return tool != nullptr && !tool->holder.empty() ? &tool->holder : nullptr;
+  if (tool == nullptr || tool->holder.empty()) return std::nullopt;
+  return NamedHolder{tool->name, tool->holder, tool->uncertainty};
 }
 
 std::string ToolLibrary::holder_names() const {

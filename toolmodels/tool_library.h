@@ -18,7 +18,12 @@ namespace gouge {
 struct NamedHolder {
   std::string name;
   std::vector<ToolSegment> segments;
+  /// States why the holder may be another one than described; empty: it is certain.
+  std::string uncertainty{};
 };
+
+/// Returns the uncertainty of a tool that has this holder; empty if the holder is certain.
+[[nodiscard]] std::string uncertainty_of_owner(const NamedHolder& holder);
 
 /// Returns the number in "3" or "T3", the forms in which users write tools; nothing for any other text.
 [[nodiscard]] std::optional<int> tool_number(std::string_view text);
@@ -41,9 +46,9 @@ struct ToolLibrary {
   [[nodiscard]] bool is_shared_name(std::string_view name) const;
   /// Returns the tool that a user means by `name`: the one with that name, else with that number, written 3 or T3.
   [[nodiscard]] const ToolAssembly* called(std::string_view name) const;
-  /// Returns the segments of the holder with this name, or of the holder of the tool with this name; null if there is
-  /// neither.
-  [[nodiscard]] const std::vector<ToolSegment>* holder_called(std::string_view name) const;
+  /// Returns the holder with this name, or that of the tool with this name, which is as uncertain as the tool. Returns
+  /// nothing if there is neither.
+  [[nodiscard]] std::optional<NamedHolder> holder_called(std::string_view name) const;
   /// Returns the names that holder_called accepts: "ER16, ball D10", or "none".
   [[nodiscard]] std::string holder_names() const;
 };

@@ -74,7 +74,9 @@ class LibraryWriter {
  private:
   // A library of ours cannot state that a number had several tools, so the tool itself states it.
   [[nodiscard]] std::string uncertainty(const ToolAssembly& t) const {
-    if (!t.uncertainty.empty() || !t.number || !library_.is_shared_number(*t.number)) return t.uncertainty;
+    if (!t.uncertainty.empty()) return t.uncertainty;
+    if (t.holder.empty() && !t.missing_holder.empty()) return t.missing_holder;
+    if (!t.number || !library_.is_shared_number(*t.number)) return {};
     return "the file that it was imported from has several tools of number " + std::to_string(*t.number);
   }
 
@@ -92,6 +94,7 @@ std::string write_tool_library(const ToolLibrary& library) {
   for (const ToolAssembly& tool : library.tools) document["tools"].push_back(writer.tool(tool));
   for (const NamedHolder& holder : library.holders) {
     document["holders"].push_back({{"name", holder.name}, {"segments", writer.segments(holder.segments)}});
+    if (!holder.uncertainty.empty()) document["holders"].back()["uncertain"] = holder.uncertainty;
   }
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -18,17 +18,17 @@
 namespace gouge {
 namespace {
 
-Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& arguments) {
-  if (arguments.holder.empty()) return std::vector<ToolSegment>{};
+Result<NamedHolder> find_holder(const ToolImportArguments& arguments) {
+  if (arguments.holder.empty()) return NamedHolder{};
   if (arguments.tools_file.empty()) return make_error("usage", "--holder needs --tools, the library that holder is in");
   const Result<ReadTools> read = read_tools_file(arguments.tools_file, arguments.input.max_bytes);
   if (!read) return read.error();
   const ToolLibrary* const library = &read->library;
-  const std::vector<ToolSegment>* holder = library->holder_called(arguments.holder);
-  if (holder == nullptr)
+  std::optional<NamedHolder> holder = library->holder_called(arguments.holder);
+  if (!holder)
     return make_error("usage", "--holder '" + arguments.holder + "': " + arguments.tools_file +
                                    " has no holder of that name; it has " + library->holder_names());
-  return *holder;
+  return std::move(*holder);
 }
 
 std::optional<ImportFormat> format_called(const std::string& name) {
@@ -95,11 +95,12 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
     if (!stickout) return fail(err, {stickout.error()});
     options.stickout_mm = *stickout;
   }
-  const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
+  const Result<NamedHolder> holder = find_holder(arguments);
   if (!holder) return fail(err, {holder.error()});
   const Result<std::string> bytes = read_file(arguments.file, arguments.input.max_bytes);
   if (!bytes) return fail(err, {bytes.error()});
-  options.holder = *holder;
+  options.holder = holder->segments;
+  options.holder_uncertainty = uncertainty_of_owner(*holder);
   options.unit = unit_called(arguments.unit);
   options.read_beside = [&](const std::string& name) -> Result<std::string> {
     Result<BesideFile> beside = read_beside(arguments.file, name, arguments.input.max_bytes, searches);

@@ -65,13 +65,13 @@ class Resolver {
 
   std::optional<Diagnostic> take_holder(const std::string& name) {
     if (library_ == nullptr) return usage("--holder '" + name + "' needs a library: give --tools LIB.json");
-    const std::vector<ToolSegment>* segments = library_->holder_called(name);
-    if (segments == nullptr) {
+    const std::optional<NamedHolder> holder = library_->holder_called(name);
+    if (!holder) {
       return usage("--holder '" + name +
                    "': the library has neither a holder nor a tool with a holder of that name; it has " +
                    library_->holder_names());
     }
-    holder_ = *segments;
+    holder_ = *holder;
     return std::nullopt;
   }
 
@@ -196,15 +196,17 @@ class Resolver {
       facts.defined_in = library_->file;
       basis_ = is_named(tool) ? Basis::stated : Basis::derived;
       assembly = *known;
-      if (assembly->holder.empty()) assembly->holder = holder_;
-      ToolDifference difference = compare_tools(tool, *known, path_, {*library_, holder_, use_});
+      const bool has_own_holder = !assembly->holder.empty();
+      if (!has_own_holder) assembly->holder = holder_.segments;
+      ToolDifference difference = compare_tools(tool, *known, path_, {*library_, holder_.segments, use_});
       if (!difference.contradiction.empty()) contradict(difference.contradiction);
       std::ranges::move(difference.warnings, std::back_inserter(result_.notes));
       mark_library_uncertain(tool, *known);
+      if (!has_own_holder) mark_holder_uncertain(tool, *known);
     } else if (tool.cutter) {
       note_not_in_library(tool);
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
-      const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
+      const Result<ToolFromPath> made = make_tool_from_path(tool, holder_.segments);
       if (!made) return at(made.error(), tool);
       for (const Diagnostic& note : made->notes) {
         if (note.code == "cutter-length") {
@@ -219,6 +221,7 @@ class Resolver {
         contradict(note.message);  // an open fact, which is a warning by itself
       }
       assembly = made->tool;
+      mark_holder_uncertain(tool, ToolAssembly{});
     }
     report(tool, assembly, facts);
     result_.assemblies.push_back(std::move(assembly));
@@ -230,7 +233,7 @@ class Resolver {
     result_.notes.push_back(make_warning("tool-not-in-library",
                                          name_of(tool) + " is not in the library, which has " + names_in(*library_) +
                                              ": the toolpath's own definition is checked" +
-                                             (holder_.empty() ? ", without shank and holder" : ""),
+                                             (holder_.segments.empty() ? ", without shank and holder" : ""),
                                          path_.file, tool.line));
   }
 
@@ -245,6 +248,17 @@ class Resolver {
     else if (!known.uncertainty.empty())
       uncertainty_ = name_of(tool) + ": " + known.uncertainty;
     if (!uncertainty_.empty()) basis_ = Basis::unknown;
+  }
+
+  // Marks a tool without a holder of its own as unknown if the one of --holder is uncertain, or none takes the place of
+  // a holder that the library names.
+  void mark_holder_uncertain(const PathTool& tool, const ToolAssembly& known) {
+    const std::string why = !holder_.uncertainty.empty() ? uncertainty_of_owner(holder_)
+                            : holder_.segments.empty()   ? known.missing_holder
+                                                         : std::string();
+    if (why.empty()) return;
+    if (basis_ != Basis::unknown) uncertainty_ = name_of(tool) + ": " + why;
+    basis_ = Basis::unknown;
   }
 
   void contradict(const std::string& what) { contradiction_ += (contradiction_.empty() ? "" : "; ") + what; }
@@ -299,11 +313,11 @@ class Resolver {
   std::map<std::string, const ToolAssembly*> named_;     // by key_of
   std::pair<std::string, const ToolAssembly*> unnamed_;  // the name of the tool for moves without one, and that tool
   const ToolAssembly* every_ = nullptr;  // the tool in place of all tools of the path; null: each has its own
-  std::vector<ToolSegment> holder_;
-  Basis basis_ = Basis::stated;  // of the tool being resolved, like the next two members
-  std::string contradiction_;    // contradictions about it
-  bool is_of_path_ = false;      // they are within the toolpath, not between it and the library
-  std::string uncertainty_;      // unknown facts about it
+  NamedHolder holder_;                   // of tools without one
+  Basis basis_ = Basis::stated;          // of the tool being resolved, like the next two members
+  std::string contradiction_;            // contradictions about it
+  bool is_of_path_ = false;              // they are within the toolpath, not between it and the library
+  std::string uncertainty_;              // unknown facts about it
   ResolvedTools result_;
 };
 

@@ -81,10 +81,59 @@ TEST(ToolLibrary, HoldersHaveNamesOrBelongToTools) {
              {"number":2,"name":"b","cutter":{"shape":"flat","diameter":6,"length":20}}]})");
   ASSERT_TRUE(library.has_value()) << library.error().message;
   EXPECT_EQ(library->tools[0].holder.size(), 1u);
-  ASSERT_NE(library->holder_called("ER16"), nullptr);
-  EXPECT_NE(library->holder_called("a"), nullptr);
-  EXPECT_EQ(library->holder_called("b"), nullptr) << "this tool has none";
-  EXPECT_EQ(library->holder_called("c"), nullptr);
+  ASSERT_TRUE(library->holder_called("ER16").has_value());
+  EXPECT_TRUE(library->holder_called("a").has_value());
+  EXPECT_FALSE(library->holder_called("b").has_value()) << "this tool has none";
+  EXPECT_FALSE(library->holder_called("c").has_value());
+}
+
+/// The uncertainty of T1 of a library with these holders, T1's key "holder", and these keys beside "tools".
+std::string uncertainty(const std::string& holders, const std::string& holder, const std::string& beside = "") {
+  const Result<ToolLibrary> library =
+      read_tool_library("lib.json", R"({"units":"mm","holders":[)" + holders +
+                                        R"(],"tools":[{"name":"b","cutter":{"shape":"flat","diameter":6,"length":20},
+                                    "holder":[{"lower_diameter":28,"upper_diameter":28,"length":40,"unit":"inch"}]},
+                                   {"number":1,"cutter":{"shape":"flat","diameter":6,"length":20},"holder":)" +
+                                        holder + "}]" + beside + "}");
+  EXPECT_TRUE(library.has_value()) << library.error().message;
+  if (!library) return "error";
+  const Result<ToolLibrary> again = read_tool_library("again.json", write_tool_library(*library));
+  EXPECT_TRUE(again.has_value());
+  const ToolAssembly& tool = library->tools.at(1);
+  const std::string why = tool.uncertainty + tool.missing_holder;
+  EXPECT_EQ(again->tools.at(1).uncertainty, why);
+  return why;
+}
+
+TEST(ToolLibrary, AKeyOfASharedHolderMakesEachOfItsToolsUncertain) {
+  const auto of = [](const std::string& keys) { return uncertainty(R"({"name":"E",)" + keys + "}", R"("E")"); };
+  const std::string segment = R"({"lower_diameter":28,"upper_diameter":28,"length":40)";
+  EXPECT_EQ(of("\"segments\":[" + segment + "}]"), "");
+  EXPECT_EQ(of("\"segments\":[" + segment + "}],\"comment\":\"inch\""), "");
+  EXPECT_EQ(of("\"units\":\"inch\",\"segments\":[" + segment + "}]"),
+            "holder \"E\": its entry has a key \"units\" that is not understood and was left out");
+  EXPECT_EQ(of("\"segments\":[" + segment + ",\"unit\":\"inch\"}]"),
+            "holder \"E\": its entry has a key \"unit\" that is not understood and was left out");
+  EXPECT_EQ(of("\"uncertain\":\"not measured\",\"segments\":[" + segment + "}]"), "holder \"E\": not measured");
+  EXPECT_EQ(uncertainty("", R"("b")"),
+            "holder \"b\": its entry has a key \"unit\" that is not understood and was left out");
+}
+
+TEST(ToolLibrary, AHolderWithoutSegmentsIsMissing) {
+  EXPECT_EQ(uncertainty("", "[]"), "its holder has no segments");
+  EXPECT_EQ(uncertainty(R"({"name":"E","segments":[]})", R"("E")"), "holder \"E\": it has no segments");
+}
+
+TEST(ToolLibrary, AKeyOfTheWholeLibraryMakesAllItsToolsAndHoldersUncertain) {
+  const std::string holder = R"({"name":"E","segments":[{"lower_diameter":28,"upper_diameter":28,"length":40}]})";
+  EXPECT_EQ(uncertainty(holder, R"("E")", R"(,"holder":"F")"),
+            "the library has a key \"holder\" that is not understood and was left out");
+  EXPECT_EQ(uncertainty(holder, R"("E")", R"(,"comment":"F","$schema":"s")"), "");
+  const Result<ToolLibrary> holders =
+      read_tool_library("lib.json", R"({"units":"mm","unit":"inch","tools":[],"holders":[)" + holder + "]}");
+  ASSERT_TRUE(holders.has_value());
+  EXPECT_EQ(holders->holder_called("E")->uncertainty,
+            "the library has a key \"unit\" that is not understood and was left out");
 }
 
 TEST(ToolLibrary, UnknownKeysAreReportedWithTheirLine) {

@@ -31,7 +31,8 @@ struct CatalogueTool {
   Dimensions dimensions;
   std::vector<ToolSegment> shaft;
   std::vector<ToolSegment> holder;
-  std::string uncertainty;  ///< see ToolAssembly::uncertainty
+  std::string uncertainty;     ///< see ToolAssembly::uncertainty
+  std::string missing_holder;  ///< see ToolAssembly::missing_holder
 };
 
 /// Errors   import-field, import-shape, import-stickout, and those of make_body_profiles. Only the last name the tool.

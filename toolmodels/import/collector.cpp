@@ -76,7 +76,9 @@ void Collector::add(CatalogueTool tool) {
   for (const Diagnostic& note : notes) report_of(tool, who, note);
   if (!made) return report_of(tool, who, made.error());
   made->uncertainty = tool.uncertainty;
-  if (!tool.uncertainty.empty()) report_of(tool, who, make_note("import-guess", tool.uncertainty));
+  if (tool.uncertainty.empty() && tool.holder.empty()) made->uncertainty = options_.holder_uncertainty;
+  if (made->holder.empty()) made->missing_holder = tool.missing_holder;
+  if (!made->uncertainty.empty()) report_of(tool, who, make_note("import-guess", made->uncertainty));
   assign_number(*made, tool.line);
   is_all_inch_ = is_all_inch_ && tool.unit == LengthUnit::inch;
   made_.library.tools.push_back(std::move(*made));

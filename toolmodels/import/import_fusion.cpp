@@ -135,7 +135,8 @@ class FusionImporter {
     if (geometry == entry.end() || !geometry->is_object())
       return make_error("import-field", "has no \"geometry\"; it needs one");
     if (Outcome good = read_geometry(*geometry, tool); !good) return good;
-    if (const auto shaft = entry.find("shaft"); shaft != entry.end() && shaft->is_object()) {
+    if (const auto shaft = entry.find("shaft"); shaft != entry.end() && !shaft->is_null()) {
+      if (!shaft->is_object()) return make_error("import-field", "its shaft is no object; expected one with segments");
       const Result<LengthUnit> shaft_unit = unit_of(*shaft, *unit);
       if (!shaft_unit) return shaft_unit.error();
       Result<std::vector<ToolSegment>> segments = read_segments(*shaft, "shaft", *shaft_unit);
@@ -147,13 +148,18 @@ class FusionImporter {
 
   Outcome read_holder(const Json& entry, const Json& geometry, CatalogueTool& tool) {
     const auto holder = entry.find("holder");
-    if (holder == entry.end() || !holder->is_object()) return Done{};
+    if (holder == entry.end() || holder->is_null() || *holder == "") return Done{};
+    if (!holder->is_object()) {
+      const std::string name = holder->is_string() ? " \"" + detail::text_of(entry, "holder") + "\"" : "";
+      miss_holder(tool, "its holder" + name + " is not described in its entry, and is left out");
+      return Done{};
+    }
     const Result<LengthUnit> unit = unit_of(*holder, tool.unit);
     if (!unit) return Diagnostic(unit.error());
     Result<std::vector<ToolSegment>> segments = read_segments(*holder, "holder", *unit);
     if (!segments) return segments.error();
     tool.holder = std::move(*segments);
-    if (tool.holder.empty()) tool.uncertainty = "its holder has no segments";
+    if (tool.holder.empty()) miss_holder(tool, "its holder has no segments");
     const double gauge_mm = check_gauge_length(*holder, tool.holder, *unit);
     check_assembly_length(geometry, tool, gauge_mm);
     return Done{};
@@ -212,6 +218,11 @@ class FusionImporter {
       segments.push_back({values[0], values[1], values[2]});
     }
     return segments;
+  }
+
+  void miss_holder(CatalogueTool& tool, const std::string& why) {
+    tool.missing_holder = why;
+    report(make_warning("import-left-out", why + "; give a holder with --holder"));
   }
 
   // Checks the gauge length. Segments above the gauge line are inside the spindle; they are kept, because they only

@@ -141,7 +141,8 @@ class RowImporter {
   void read_holder(const std::string& name) {
     if (name.empty() || name == "0") return;
     const auto left_out = [&](const std::string& why) {
-      collector_.report(who_, make_warning("import-left-out", "its holder \"" + name + "\" " + why), row_.line);
+      tool_.missing_holder = "its holder \"" + name + "\" " + why;
+      collector_.report(who_, make_warning("import-left-out", tool_.missing_holder), row_.line);
     };
     const std::vector<ToolSegment>* segments = holders_.called(name);
     if (segments == nullptr)

@@ -20,6 +20,7 @@ enum class ImportFormat { fusion, freecad, nx, camotics, linuxcnc };
 
 struct ImportOptions {
   std::vector<ToolSegment> holder;    ///< holder of tools that have none; empty: they stay without a holder
+  std::string holder_uncertainty;     ///< see NamedHolder::uncertainty
   std::optional<double> stickout_mm;  ///< tip to holder, for tools whose file does not state this length
   std::optional<LengthUnit> unit;     ///< unit of files whose format does not state one (NX)
   /// Reads the bytes of a file beside the library, for libraries that only name the files of their tools. May be empty.

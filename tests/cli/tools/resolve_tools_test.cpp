@@ -279,6 +279,42 @@ TEST(ResolveTools, WhatALibraryLeavesOutMakesItsToolUnknown) {
   EXPECT_EQ(with(R"(}, "holders": []}]})").code, "tool-doubtful");
 }
 
+TEST(ResolveTools, AnUncertainOrMissingHolderMakesItsToolUnknown) {
+  ToolLibrary library = library_with_holder();
+  library.holders = {
+      {"sure", {{40, 40, 50}}}, {"unsure", {{40, 40, 50}}, "it has a key"}, {"empty", {}, "it is empty"}};
+  ToolAssembly bare = library.tools.front();
+  bare.number = 3;
+  bare.holder.clear();
+  bare.missing_holder = "its holder has no segments";
+  library.tools.push_back(bare);
+  const auto fact = [&](int number, const std::string& holder) {
+    Toolpath path = path_in(LengthUnit::mm);
+    path.tools.front().number = number;
+    path.moves.emplace_back().tool = 0;
+    const Result<ResolvedTools> resolved = resolve_tools(path, &library, {}, holder);
+    EXPECT_TRUE(resolved.has_value());
+    return resolved->assumptions.front();
+  };
+  EXPECT_EQ(fact(2, "unsure").basis, Basis::derived) << "this tool has a holder of its own";
+  EXPECT_EQ(fact(3, "").basis, Basis::unknown);
+  EXPECT_EQ(fact(3, "").evidence, "T3: its holder has no segments");
+  EXPECT_EQ(fact(3, "sure").basis, Basis::derived);
+  EXPECT_EQ(fact(3, "unsure").evidence, "T3: holder \"unsure\": it has a key");
+  EXPECT_EQ(fact(3, "empty").basis, Basis::unknown);
+  EXPECT_EQ(fact(3, "empty").code, "tool-doubtful");
+}
+
+TEST(ResolveTools, AnUncertainHolderMakesAToolOfThePathUnknown) {
+  ToolLibrary library;
+  library.holders = {{"unsure", {{40, 40, 50}}, "it has a key"}};
+  Toolpath path = path_in(LengthUnit::mm);
+  path.tools.front().cutter = CutterStatement{{10, 0, 5, 0, 0, 0, 30}, 7};
+  path.moves.emplace_back().tool = 0;
+  EXPECT_EQ(resolve_tools(path, &library, {}, "unsure")->assumptions.front().basis, Basis::unknown);
+  EXPECT_EQ(resolve_tools(path, &library, {}, "")->assumptions.front().basis, Basis::stated);
+}
+
 TEST(ResolveTools, ANumberOfSeveralToolsIsUnknownUnlessOneIsNamed) {
   ToolLibrary library = library_with_holder();
   library.shared_numbers = {2};

@@ -51,9 +51,9 @@ TEST(ImportFusion, EveryEntryAndEveryHolderHasItsOwnUnit) {
   EXPECT_NEAR(length_mm(tool->cutter), 19.05, 1e-12);
   expect_segment(tool->shank.at(0), 6.35, 6.35, 19.05);
   expect_segment(tool->holder.at(0), 32, 32, 50);
-  const std::vector<ToolSegment>* holder = made.library.holder_called("ER16 long");
-  ASSERT_NE(holder, nullptr);
-  expect_segment(holder->at(1), 38.1, 44.45, 38.1);
+  const std::optional<NamedHolder> holder = made.library.holder_called("ER16 long");
+  ASSERT_TRUE(holder.has_value());
+  expect_segment(holder->segments.at(1), 38.1, 44.45, 38.1);
 }
 
 TEST(ImportFusion, IsoNamesAndShaftSegmentsAreUnderstood) {
@@ -354,6 +354,26 @@ TEST(ImportFusion, AHolderWithoutStickOutIsAnError) {
   const ImportedTools made = import_one("flat end mill", geometry, "", options);
   expect_segment(made.library.tools.at(0).shank.at(0), 6, 6, 15);
   EXPECT_EQ(made.library.tools.at(0).holder.size(), 1u);
+}
+
+TEST(ImportFusion, AHolderThatIsNamedAloneIsMissing) {
+  const std::string geometry = R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":6)";
+  const auto missing = [&](const std::string& holder, const ImportOptions& options = {}) {
+    const ImportedTools made = import_one("flat end mill", geometry, holder, options);
+    EXPECT_EQ(notes_of(made, "import-left-out").empty(),
+              made.library.tools.at(0).missing_holder.empty() && options.holder.empty());
+    return made.library.tools.at(0).missing_holder;
+  };
+  EXPECT_EQ(missing(R"("holder":"H100",)"), "its holder \"H100\" is not described in its entry, and is left out");
+  EXPECT_EQ(missing(R"("holder":[1],)"), "its holder is not described in its entry, and is left out");
+  EXPECT_EQ(missing(R"("holder":{"segments":[]},)"), "its holder has no segments");
+  for (const char* none : {"", R"("holder":null,)", R"("holder":"",)"}) EXPECT_EQ(missing(none), "") << none;
+  ImportOptions options;
+  options.holder = {{30, 30, 50}};
+  EXPECT_EQ(missing(R"("holder":"H100",)", options), "");
+  options.holder_uncertainty = "holder \"E\": it has a key";
+  EXPECT_EQ(import_one("flat end mill", geometry, "", options).library.tools.at(0).uncertainty,
+            options.holder_uncertainty);
 }
 
 TEST(ImportFusion, AShaftLongerThanTheStickOutIsCutThere) {
