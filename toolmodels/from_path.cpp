@@ -56,6 +56,7 @@ Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector
   const std::string who = "tool " + label(made.tool) + ": ";
   if (!(cutter.h_mm > 0) || ends_within_tip(cutter)) {
     cutter.h_mm = assumed_height(c);
+    made.is_length_stated = false;
     const std::string found = c.h_mm > 0 ? "its height h = " + cutter_mm(c.h_mm) + " ends within the tip"
                                          : "the file gives the cutter no length";
     made.notes.push_back(make_note("cutter-length", who + found + "; it is checked up to " + cutter_mm(cutter.h_mm)));

@@ -11,6 +11,7 @@ namespace gouge {
 
 struct ToolFromPath {
   ToolAssembly tool;
+  bool is_length_stated = true;  ///< false: its length is assumed
   Diagnostics notes;  ///< assumptions that were necessary
 };
 

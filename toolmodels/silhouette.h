@@ -1,8 +1,9 @@
 #pragma once
 
+#include "toolmodels/assembly.h"
 #include "toolmodels/cutter.h"
 
-// Comparison of the outlines of two cutters, for a tool that both a toolpath and a library describe.
+// Comparison of the outlines of two tools, for one that both a toolpath and a library describe.
 
 namespace gouge {
 
@@ -15,5 +16,9 @@ namespace gouge {
 ///          compared as polygons, to within 1e-5 of their radius.
 /// Cost     O(n log n) for outlines of n corners.
 [[nodiscard]] double reach_beyond_mm(const Cutter& cutter, const Cutter& other);
+
+/// Returns the same for two whole tools, between two heights above their tips. A tool reaches out of another one with its
+/// whole radius above the top of the other.
+[[nodiscard]] double reach_beyond_mm(const ToolAssembly& tool, const ToolAssembly& other, double from_mm, double to_mm);
 
 }  // namespace gouge

@@ -42,6 +42,7 @@ class Comparer {
 
   ToolDifference run() {
     compare();
+    if (tool_.cutter && tool_.cutter->given > 0) compare_above_flutes();
     compare_flutes();
     return std::move(difference_);
   }
@@ -113,11 +114,47 @@ class Comparer {
                  " farther from its axis by the library, which is what removes stock, than by the toolpath");
   }
 
+  // Returns how far the file's tool reaches out of the library's above the flutes of that. Requires a stated length.
+  [[nodiscard]] double reach_above_mm(const PathTool& tool, const ToolAssembly& whole) const {
+    const Result<ToolFromPath> made = make_tool_from_path(tool, {});
+    if (!made || !made->is_length_stated) return 0;
+    const double top = std::min(height_mm(made->tool), height_mm(whole)) - kReach_mm;
+    return reach_beyond_mm(made->tool, whole, length_mm(known_.cutter), top);
+  }
+
+  // Compares the tool that the file states with shank and holder of the library's, up to a stated length. Shapes that CL
+  // data cannot state differ within the flutes alone.
+  void compare_above_flutes() {
+    const Result<ToolFromPath> made = make_tool_from_path(tool_, {});
+    if (!made || !made->is_length_stated) return;
+    ToolAssembly whole = known_;
+    if (whole.holder.empty()) whole.holder = set_up_.holder;
+    const double stated = height_mm(made->tool), known = height_mm(whole);
+    if (stated > known + kReach_mm)
+      contradict(name_of(tool_) + " is " + length(stated) + " long by the toolpath, but ends at " + length(known) +
+                 " by the library, which is what is checked");
+    const std::optional<PathTool> ball = as_tapered_ball();
+    double reach = reach_above_mm(tool_, whole);
+    if (ball) reach = std::min(reach, reach_above_mm(*ball, whole));
+    if (reach > kReach_mm)
+      contradict(
+          name_of(tool_) + " reaches up to " + length(reach) +
+          " farther from its axis by the toolpath than above its flutes by the library, which is what is checked");
+  }
+
+  // Returns the length of the flutes that the file states. They are not longer than the whole tool. 0: it states neither.
+  [[nodiscard]] double stated_flutes_mm() const {
+    if (tool_.flute_length_mm > 0 || !tool_.cutter) return tool_.flute_length_mm;
+    const Result<ToolFromPath> made = make_tool_from_path(tool_, {});
+    return made && made->is_length_stated ? height_mm(made->tool) : 0;
+  }
+
   // Compares the lengths of the flutes, where longer ones remove more stock. Outlines do not show them, as a shank may be
   // as wide as its flutes.
   void compare_flutes() {
-    const double stated = tool_.flute_length_mm, known = length_mm(known_.cutter);
-    if (set_up_.use != ToolUse::removes_stock || stated <= 0 || known <= stated + Tolerance::kFilePoint_mm) return;
+    if (set_up_.use != ToolUse::removes_stock) return;
+    const double stated = stated_flutes_mm(), known = length_mm(known_.cutter);
+    if (stated <= 0 || known <= stated + kReach_mm) return;
     contradict(name_of(tool_) + " has flutes of " + length(stated) + " by the toolpath, and of " + length(known) +
                " by the library, which is what removes stock");
   }

@@ -33,6 +33,29 @@ TEST(Silhouette, AFlatEndReachesOutOfARoundOne) {
   EXPECT_EQ(reach_beyond_mm(BallCutter{10, 30}, FlatCutter{10, 30}), 0);
 }
 
+TEST(Silhouette, AWholeToolIsComparedBetweenTwoHeights) {
+  ToolAssembly necked;
+  necked.cutter = FlatCutter{10, 30};
+  necked.shank = {{8, 8, 20}, {10, 10, 20}};
+  ToolAssembly plain;
+  plain.cutter = FlatCutter{10, 60};
+  EXPECT_EQ(reach_beyond_mm(plain, necked, 0, 30), 0);
+  EXPECT_NEAR(reach_beyond_mm(plain, necked, 30, 60), 1, 1e-9);
+  EXPECT_EQ(reach_beyond_mm(plain, necked, 50, 60), 0);
+  EXPECT_EQ(reach_beyond_mm(plain, necked, 60, 50), 0);
+  EXPECT_EQ(reach_beyond_mm(necked, plain, 0, 70), 5) << "above the top of the other";
+}
+
+TEST(Silhouette, ATipThatTapersInwardReachesOutNextToAStep) {
+  ToolAssembly stepped;
+  stepped.cutter = FlatCutter{10, 30};
+  stepped.shank = {{8, 8, 30}};
+  ToolAssembly narrowing;
+  narrowing.cutter = TaperedCutter{10.2, 0, -2, 60};
+  const double at_step = 5.1 - 30.002 * std::tan(2 * std::numbers::pi / 180);
+  EXPECT_NEAR(reach_beyond_mm(narrowing, stepped, 20, 60), at_step - 4, 1e-3);
+}
+
 TEST(Silhouette, OfACutterWithoutAProfileIsNone) {
   EXPECT_EQ(reach_beyond_mm(FlatCutter{-1, 30}, FlatCutter{10, 30}), 0);
 }

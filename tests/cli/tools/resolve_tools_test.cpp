@@ -110,7 +110,7 @@ TEST(ResolveTools, AToolOfTheSameSizeThatReachesFartherOutIsReported) {
   const auto reported = [](const std::string& cutter, const std::string& head = "") {
     return differences(head + "UNITS/MM\nCUTTER/" + cutter + "\nLOADTL/1\nGOTO/0,0,5\nFINI\n");
   };
-  for (const char* same : {"10", "10,0", "10,0,5,0,0,0,28", "10,0,5,0,0,0,60", "10,0,0,0,0,0,30"})
+  for (const char* same : {"10", "10,0", "10,0,5,0,0,0,28", "10,0,0,0,0,0,30"})
     EXPECT_EQ(reported(same).size(), 0U) << same;
   EXPECT_EQ(reported("10,0,5,0,30,0,28").size(), 0U) << "a cone within the flat cutter";
   EXPECT_EQ(reported("10,0,5,0,0,20,28"),
@@ -187,6 +187,7 @@ TEST(ResolveTools, LongerFlutesThanThoseOfThePathRemoveMoreStock) {
   read.toolpath->tools.front().flute_length_mm = 30;
   const auto of = [&](double flutes_mm, ToolUse use) {
     library.tools.front().cutter = FlatCutter{10, flutes_mm};
+    library.tools.front().shank = {{10, 10, 50 - flutes_mm}};
     return resolve_tools(*read.toolpath, &library, {}, "", use)->assumptions.front();
   };
   EXPECT_EQ(of(40, ToolUse::finds_gouges).basis, Basis::derived);
@@ -313,6 +314,34 @@ TEST(ResolveTools, AnUncertainHolderMakesAToolOfThePathUnknown) {
   path.moves.emplace_back().tool = 0;
   EXPECT_EQ(resolve_tools(path, &library, {}, "unsure")->assumptions.front().basis, Basis::unknown);
   EXPECT_EQ(resolve_tools(path, &library, {}, "")->assumptions.front().basis, Basis::stated);
+}
+
+TEST(ResolveTools, AToolpathThatStatesALongerToolIsContradicted) {
+  ToolLibrary library;
+  ToolAssembly& tool = library.tools.emplace_back();
+  tool.number = 1;
+  tool.cutter = FlatCutter{10, 30};
+  const auto fact = [&](const std::string& cutter, const std::vector<ToolSegment>& shank,
+                        const std::vector<ToolSegment>& holder) {
+    tool.shank = shank;
+    tool.holder = holder;
+    const ReadOutcome read = read_toolpath("t.apt", "UNITS/MM\nCUTTER/" + cutter + "\nLOADTL/1\nGOTO/0,0,5\nFINI\n");
+    EXPECT_TRUE(read.toolpath.has_value());
+    return resolve_tools(*read.toolpath, &library, {}, "")->assumptions.front();
+  };
+  const std::string longer = "10,0,5,0,0,0,60";
+  EXPECT_EQ(fact(longer, {}, {}).basis, Basis::contradicted);
+  EXPECT_EQ(fact(longer, {}, {}).evidence,
+            "T1 is 60 mm long by the toolpath, but ends at 30 mm by the library, which is what is checked");
+  EXPECT_EQ(fact("8,0,4,0,0,0,60", {}, {}).basis, Basis::contradicted) << "thinner and longer";
+  EXPECT_EQ(fact(longer, {{10, 10, 30}}, {}).basis, Basis::derived) << "a shank of the same radius";
+  EXPECT_EQ(fact(longer, {{10, 10, 10}}, {{32, 32, 20}}).basis, Basis::derived) << "the end is in the holder";
+  EXPECT_EQ(
+      fact(longer, {{10, 10, 10}, {8, 8, 20}}, {}).evidence,
+      "T1 reaches up to 1 mm farther from its axis by the toolpath than above its flutes by the library, which is "
+      "what is checked");
+  EXPECT_EQ(fact("10,0,5,0,0,0,30.004", {}, {}).basis, Basis::derived) << "a rounded length";
+  EXPECT_EQ(fact("10,0", {}, {}).basis, Basis::derived) << "an assumed length states nothing";
 }
 
 TEST(ResolveTools, ANumberOfSeveralToolsIsUnknownUnlessOneIsNamed) {
