@@ -10,6 +10,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "postproc/cldata/language/dialect.h"
+#include "postproc/cldata/language/text.h"
 #include "toolmodels/from_path.h"
 #include "toolmodels/silhouette.h"
 
@@ -49,9 +50,8 @@ class Comparer {
 
  private:
   void compare() {
-    const ToolAssembly* const named = tool_.name.empty() ? nullptr : set_up_.library.with_name(tool_.name);
-    if (named != nullptr && named != &known_ && known_.name != tool_.name)
-      report_difference("called " + tool_.name, known_.name.empty() ? "not" : known_.name, true);
+    compare_names(tool_.name);
+    for (const std::string& name : tool_.other_names) compare_names(name);
     const auto [diameter, corner] = nominal_size(known_.cutter);
     if (tool_.stated_diameter_mm > 0 && std::abs(diameter - tool_.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
       return report_difference(size_text(tool_.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit),
@@ -67,6 +67,22 @@ class Comparer {
         diameter < tool_.cutter->d_mm - Tolerance::kFilePoint_mm || (is_round && reach_mm(tool_) > kReach_mm);
     report_difference(size_text(tool_.cutter->d_mm, given_corner, path_.unit), size_text(diameter, corner, path_.unit),
                       is_smaller);
+  }
+
+  // Compares a name, and the part before its first comma: some writers state the name and a comment.
+  void compare_names(const std::string& text) {
+    compare_name(text);
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos) compare_name(std::string(trim(std::string_view(text).substr(0, comma))));
+  }
+
+  // Compares a name that the file states. A name that no tool of the library has is free text.
+  void compare_name(const std::string& name) {
+    const auto has_name = [&](const ToolAssembly& tool) {
+      return !tool.name.empty() && equals_ignoring_case(tool.name, name);
+    };
+    if (name.empty() || has_name(known_) || std::ranges::none_of(set_up_.library.tools, has_name)) return;
+    report_difference("called " + name, known_.name.empty() ? "not" : known_.name, true);
   }
 
   // Returns the distance by which a tool of the file reaches out of the library's tool.

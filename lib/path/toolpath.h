@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,7 +60,8 @@ struct PathTool {
   double stated_diameter_mm = 0;          ///< the only fact that the file states about a cutter it does not define; 0:
                                           ///< none
   std::optional<double> gauge_length_mm =
-      {};  ///< from the gauge point of the spindle to the tip, as a set-up states it
+      {};                                  ///< from the gauge point of the spindle to the tip, as a set-up states it
+  std::set<std::string> other_names = {};  ///< further names that the file states for it
 };
 
 struct Operation {

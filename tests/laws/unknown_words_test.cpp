@@ -73,6 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Wording{"ToolOfADiameter", around("TOOL/MILL,40\n")},
                       Wording{"ToolnoOfTheCutter", apt("TOOLNO/1,10\nGOTO/0,0,30\n"), "clean"},
                       Wording{"ToolnoOfAnotherDiameter", apt("TOOLNO/1,40\nGOTO/0,0,30\n")},
+                      Wording{"ToolnoOfAnotherDiameterAndNumber", apt("TOOLNO/1,40,4\nGOTO/0,0,30\n")},
+                      Wording{"ToolnoOfAnUnknownNumber", apt("TOOLNO/1,10,4\nGOTO/0,0,30\n")},
                       Wording{"ToolnoOfAnotherMill", apt("TOOLNO/1,MILL,1,0,40\nGOTO/0,0,30\n")},
                       Wording{"Compensation", around("TLCOMP/LEFT\n")}, Wording{"Steps", around("INCREM\n")},
                       Wording{"Tilt", around("HEADTILT/30\n")}, Wording{"Axis", around("BAXIS/45\n")},

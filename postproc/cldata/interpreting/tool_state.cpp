@@ -28,9 +28,25 @@ constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "TH
 // Returns the diameter in TOOLNO/n,d or TOOLNO/n,MILL,..,..,d of CATIA; 0 if it has none.
 double diameter_of_toolno(const std::vector<Argument>& arguments) {
   constexpr std::size_t kOfMill = 4;
-  if (arguments.size() == 2) return arguments[1].number.value_or(0);
+  if (arguments.size() > 1 && arguments[1].number) return *arguments[1].number;
   const bool is_mill = arguments.size() > kOfMill && equals_ignoring_case(arguments[1].text, "MILL");
   return is_mill ? arguments[kOfMill].number.value_or(0) : 0;
+}
+
+// Returns whether TOOLNO has a number after number and diameter, whose meaning no known writer states.
+bool has_number_after_diameter(const std::vector<Argument>& arguments) {
+  return arguments.size() > 2 && arguments[1].number && arguments[2].number;
+}
+
+// Returns the name in single quotes among the arguments, which may contain commas; empty: there is none.
+std::string name_in_quotes(const std::vector<Argument>& arguments) {
+  std::string name;
+  for (const Argument& argument : arguments) {
+    if (name.empty() && !argument.text.starts_with('\'')) continue;
+    name += (name.empty() ? "" : ",") + std::string(argument.text);
+    if (name.size() > 1 && name.ends_with('\'')) break;
+  }
+  return name_text(name);
 }
 
 // Returns whether a CUTTER/d,r repeats, in short form, a cutter that was given in full.
@@ -86,7 +102,7 @@ void ToolState::take_cutter(double mm_per_unit, bool is_behind_insert) {
     }
     return in_.fail("path-cutter", "CUTTER: " + outcome.error + "; expected d or d,r or d,r,e,f,alpha,beta,h");
   }
-  if (is_behind_insert) tool_.name = last_insert_;
+  if (is_behind_insert) set_name(last_insert_);
   set_cutter(outcome);
 }
 
@@ -98,7 +114,7 @@ void ToolState::take_diameter(std::string_view text, double mm_per_unit) {
   split_arguments(values, in_.arguments);
   const bool is_number = in_.has_numbers_alone(1) && *in_.arguments.front().number > 0;
   tool_.diameter_mm = is_number ? *in_.arguments.front().number * mm_per_unit : 0;
-  tool_.name = "diameter " + name_text(text);
+  set_name("diameter " + name_text(text));
   tool_.line = in_.line();
   tool_.is_fresh = true;
   is_changed_ = true;
@@ -140,8 +156,19 @@ void ToolState::take_diameter_of_toolno(double mm_per_unit) {
 }
 
 void ToolState::take_name(std::string_view text) {
-  tool_.name = name_text(text);
+  set_name(name_text(text));
   is_changed_ = true;
+}
+
+void ToolState::take_name_of_number(const std::string& name) {
+  tool_.name = name;
+  name_use_ = NameUse::none;
+  is_changed_ = true;
+}
+
+void ToolState::set_name(std::string name) {
+  tool_.name = std::move(name);
+  name_use_ = NameUse::until_motion;
 }
 
 void ToolState::take_insert(std::string_view text) { last_insert_ = name_text(text); }
@@ -158,17 +185,20 @@ void ToolState::change_number(int number) {
   if (tool_.number == number) return;
   is_changed_ = true;
   tool_.number = number;
+  // A name that the file states before the number belongs to it. Any other name is that of the tool before.
+  if (std::exchange(name_use_, NameUse::none) == NameUse::none) tool_.name.clear();
   if (tool_.is_fresh) return;
   tool_.cutter.reset();
-  tool_.name.clear();
   tool_.flute_length_mm = 0;
   tool_.diameter_mm = 0;
   tool_.line = in_.line();
   const auto known = index_of_number_.find(number);
   if (known == index_of_number_.end()) return;
   const PathTool& tool = in_.path.tools[known->second];
+  const bool is_other = !tool_.name.empty() && !tool.name.empty() && tool_.name != tool.name;
+  if (is_other && in_.dialect.has_named_tools) return;  // a cutter of another tool is not that of this one
   tool_.cutter = tool.cutter;
-  tool_.name = tool.name;
+  if (tool_.name.empty()) tool_.name = tool.name;
   tool_.flute_length_mm = tool.flute_length_mm;
   tool_.diameter_mm = tool.stated_diameter_mm;
 }
@@ -179,6 +209,7 @@ void ToolState::begin_block(const std::string& name) {
     tool_.name = name;
     tool_.line = in_.line();
   }
+  name_use_ = name.empty() ? NameUse::none : NameUse::in_block;
   is_changed_ = true;
   is_used_ = false;
   is_loaded_ = true;
@@ -211,8 +242,10 @@ std::size_t ToolState::find_or_add() {
     }
     tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line, tool_.diameter_mm});
     if (tool_.number) index_of_number_[*tool_.number] = it->second;
-  } else if (tools[it->second].flute_length_mm <= 0) {
-    tools[it->second].flute_length_mm = tool_.flute_length_mm;
+  } else {
+    PathTool& tool = tools[it->second];
+    if (tool.flute_length_mm <= 0) tool.flute_length_mm = tool_.flute_length_mm;
+    if (!tool_.name.empty() && tool_.name != tool.name) tool.other_names.insert(tool_.name);
   }
   return it->second;
 }
@@ -221,6 +254,7 @@ std::size_t ToolState::find_or_add() {
 // and do not break the motion.
 bool ToolState::resolve() {
   tool_.is_fresh = false;
+  if (name_use_ == NameUse::until_motion) name_use_ = NameUse::none;
   const bool was_used = std::exchange(is_used_, true);
   if (!is_changed_) return false;
   is_changed_ = false;
@@ -250,6 +284,7 @@ std::optional<int> whole_number(const Argument& argument) {
 
 void change_number(States& s, int number) {
   s.tool.change_number(number);
+  if (const std::string name = name_in_quotes(s.in.arguments); !name.empty()) s.tool.take_name_of_number(name);
   s.chain.note_loading();
 }
 
@@ -275,6 +310,7 @@ void take_tool_number(States& s) {
   if (may_be_ready_only) s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kReadyTool));
   // The number after that in LOADTL/n is a register.
   if (s.in.statement().word == Word::toolno) s.tool.take_diameter_of_toolno(s.frame.mm_per_unit());
+  if (!is_loading && has_number_after_diameter(s.in.arguments)) s.in.count_unknown();
 }
 
 void take_load(States& s) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ class ToolState {
   void take_flute_length(double mm_per_unit);
   void take_diameter_of_toolno(double mm_per_unit);
   void take_name(std::string_view text);
+  /// Takes a name that stands beside the present number.
+  void take_name_of_number(const std::string& name);
   /// Takes text that may be the name of the tool that is defined next.
   void take_insert(std::string_view text);
   /// Changes the number. Ensures  A tool that was not described since the last motion is the one last seen with this
@@ -70,6 +73,13 @@ class ToolState {
     std::string name;
     auto operator<=>(const Key&) const = default;
   };
+  /// The statements whose number is that of the tool with the present name.
+  enum class NameUse : std::uint8_t {
+    none,          ///< none: the name is that of a tool that has its number
+    until_motion,  ///< the next one, up to the next motion
+    in_block       ///< the next one of the block that is named so
+  };
+  void set_name(std::string name);
   void set_cutter(const CutterOutcome& outcome);
   [[nodiscard]] bool is_cutter_unloaded() const;
   [[nodiscard]] std::size_t find_or_add();
@@ -78,8 +88,9 @@ class ToolState {
   Uncertainties& uncertainties_;
   Tool tool_;
   bool is_changed_ = false;  // since the last motion
-  bool is_loaded_ = false;   // a tool was loaded, or its block begun
-  bool is_used_ = false;     // by a motion since then
+  NameUse name_use_ = NameUse::none;
+  bool is_loaded_ = false;  // a tool was loaded, or its block begun
+  bool is_used_ = false;    // by a motion since then
   std::size_t index_ = kNone;
   std::map<Key, std::size_t> index_of_key_;
   std::map<int, std::size_t> index_of_number_;  // the last tool seen with each number

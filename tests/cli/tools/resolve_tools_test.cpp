@@ -280,6 +280,45 @@ TEST(ResolveTools, WhatALibraryLeavesOutMakesItsToolUnknown) {
   EXPECT_EQ(with(R"(}, "holders": []}]})").code, "tool-doubtful");
 }
 
+TEST(ResolveTools, ANumberAndANameOfTwoToolsContradictEachOther) {
+  ToolLibrary library;
+  for (const auto& [number, name] : {std::pair(1, "s"), {2, "L"}, {3, ""}}) {
+    ToolAssembly& tool = library.tools.emplace_back();
+    tool.number = number;
+    tool.name = name;
+    tool.cutter = FlatCutter{number == 2 ? 40.0 : 4.0, 30};
+  }
+  const auto evidence = [&](const std::string& file, const std::string& text, ToolUse use = ToolUse::finds_gouges) {
+    const ReadOutcome read = read_toolpath(file, text);
+    EXPECT_TRUE(read.toolpath.has_value());
+    const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, {}, "", use);
+    EXPECT_TRUE(resolved.has_value());
+    const Assumption& fact = resolved->assumptions.at(0);
+    return fact.basis == Basis::contradicted ? fact.evidence : std::string(fact.basis == Basis::derived ? "" : "open");
+  };
+  const auto apt = [&](const std::string& tool) {
+    return evidence("t.apt", "UNITS/MM\n" + tool + "GOTO/0,0,5\nFINI\n");
+  };
+  const auto nx = [&](const std::string& name, ToolUse use = ToolUse::finds_gouges) {
+    return evidence("t.cls", "TOOL PATH/A,TOOL," + name + "\nLOAD/TOOL,1\nGOTO/0,0,5,0,0,1\nEND-OF-PATH\n", use);
+  };
+  const std::string differ = "T1 is called L by the toolpath but s by the library, which is what is checked";
+  EXPECT_EQ(nx("L"), differ);
+  EXPECT_EQ(nx("L", ToolUse::removes_stock), differ);
+  EXPECT_EQ(nx("s"), "");
+  EXPECT_EQ(nx("S"), "");
+  EXPECT_EQ(nx("a name that the library has not"), "");
+  EXPECT_EQ(apt("TPRINT/L\nLOADTL/1\n"), differ);
+  EXPECT_EQ(apt("TPRINT/L,L,L\nLOADTL/1\n"), differ);
+  EXPECT_EQ(apt("LOADTL/1\nGOTO/0,0,9\nTPRINT/L\n"), differ);
+  EXPECT_EQ(apt("LOAD/TOOL,1,'L'\n"), differ);
+  EXPECT_EQ(apt("LOAD/TOOL,1,'l'\n"), "T1 is called l by the toolpath but s by the library, which is what is checked");
+  EXPECT_EQ(apt("TPRINT/L\nLOADTL/3\n"),
+            "T3 is called L by the toolpath but not by the library, which is what is checked");
+  EXPECT_EQ(apt("TPRINT/L\nLOADTL/2\n"), "");
+  EXPECT_EQ(apt("TPRINT/L\nLOADTL/7\n"), "") << "found by its name";
+}
+
 TEST(ResolveTools, AnUncertainOrMissingHolderMakesItsToolUnknown) {
   ToolLibrary library = library_with_holder();
   library.holders = {

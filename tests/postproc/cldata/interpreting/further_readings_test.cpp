@@ -163,6 +163,44 @@ TEST(Tool, NumberBehindALoadingMayBeReadyOnly) {
   EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nCUTTER/6\nTOOLNO/4\nLOADTL/4\nGOTO/9,0,9\nFINI\n"))), 0U);
 }
 
+/// The tools of a path: "1=L" for number and name, with further names behind it.
+std::string tools_of(const Toolpath& path) {
+  std::string all;
+  for (const PathTool& tool : path.tools) {
+    all += (all.empty() ? "" : " ") + (tool.number ? std::to_string(*tool.number) : "") + "=" + tool.name;
+    for (const std::string& name : tool.other_names) all += "," + name;
+  }
+  return all;
+}
+
+TEST(Tool, HasTheNameThatStandsBeforeItsNumber) {
+  const std::string move = "GOTO/0,0,9\n";
+  const auto nx_tools = [&](const std::string& text) {
+    return tools_of(path_of("TOOL PATH/A,TOOL,L\n" + text + "END-OF-PATH\n"));
+  };
+  EXPECT_EQ(nx_tools("LOAD/TOOL,1\n" + move), "1=L");
+  EXPECT_EQ(nx_tools(move + "LOAD/TOOL,1\n" + move), "=L 1=L");
+  EXPECT_EQ(nx_tools("LOAD/TOOL,1\n" + move + "LOAD/TOOL,2\n" + move), "1=L 2=");
+  EXPECT_EQ(nx_tools("LOAD/TOOL,1\n" + move + "END-OF-PATH\nTOOL PATH/B,TOOL,M\nLOAD/TOOL,1\n" + move), "1=L 1=M");
+  const auto tools = [&](const std::string& text) { return tools_of(path_of("UNITS/MM\n" + text + "FINI\n")); };
+  EXPECT_EQ(tools("TPRINT/L\nLOADTL/1\n" + move), "1=L");
+  EXPECT_EQ(tools("TPRINT/L\nLOADTL/1\nLOADTL/2\n" + move), "2=");
+  EXPECT_EQ(tools("LOADTL/1\nTPRINT/L\n" + move + "LOADTL/2\n" + move), "1=L 2=");
+  EXPECT_EQ(tools("LOADTL/1\nTPRINT/L\n" + move + "CUTTER/6\nLOADTL/2\n" + move), "1=L 2=") << "the name of T1";
+  EXPECT_EQ(tools("LOADTL/1\n" + move + "TPRINT/L\nLOADTL/1\n" + move + "TPRINT/M\n" + move), "1=,L,M");
+  EXPECT_EQ(tools("LOAD/TOOL,1,'L, long',ADJUST,2\n" + move), "1=L, long");
+  EXPECT_EQ(tools("TPRINT/M\nLOADTL/1,'L'\n" + move + "LOADTL/2\n" + move), "1=L 2=");
+}
+
+TEST(Tool, OfAnotherNameHasNoCutterOfItsNumber) {
+  const std::string block = "LOAD/TOOL,1\nGOTO/0,0,9,0,0,1\nEND-OF-PATH\n";
+  const Toolpath path = path_of("TOOL PATH/A,TOOL,L\nTLDATA/MILL,10.,0.,50.,0.,0.\n" + block + "TOOL PATH/B,TOOL,M\n" +
+                                block + "TOOL PATH/C,TOOL,L\n" + block);
+  ASSERT_EQ(path.tools.size(), 2U);
+  EXPECT_TRUE(path.tools[0].cutter.has_value());
+  EXPECT_FALSE(path.tools[1].cutter.has_value());
+}
+
 TEST(Numbers, WithABlankWithinNameNoTool) {
   EXPECT_EQ(unchecked(path_of("UNITS/MM\nCUTTER/2 0\nLOADTL/1\nGOTO/0,0,9\nFINI\n")), 1U);
   EXPECT_EQ(unchecked(path_of("UNITS/MM\nCUTTER/20\nTOOLNO/1 2\nGOTO/0,0,9\nFINI\n")), 1U);
