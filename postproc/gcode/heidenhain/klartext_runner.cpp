@@ -34,6 +34,11 @@ std::optional<double> contradicted_length(const std::map<int, double>& lengths, 
   return found->second;
 }
 
+/// Returns the number of a tool, or its name in quotes.
+std::string name_of_tool(const PathTool& tool) {
+  return tool.number ? std::to_string(*tool.number) : "\"" + tool.name + "\"";
+}
+
 }  // namespace
 
 KlartextRunner::KlartextRunner(const ProgramInput& input, QParameters& parameters)
@@ -223,11 +228,27 @@ void KlartextRunner::call_tool(std::string_view text) {
   if (has_number) loaded.number = whole_number(tool);
   loaded.name = tool.text;
   loaded.line = line_;
+  if (const auto found = diameters_mm_.find(name_of_tool(loaded)); found != diameters_mm_.end())
+    loaded.stated_diameter_mm = found->second;
   if (motion_.tip_control() == TipControl::on) motion_.set_tip_control(TipControl::unknown);
   motion_.change_tool(loaded);
   motion_.apply_length(std::nullopt);  // TOOL CALL applies the length of its tool
   tangent_.reset();
   settle_length();
+}
+
+// A tool of the library is compared with the radius, also where the program loads it before it states the radius.
+void KlartextRunner::define_radius(const PathTool& tool, double radius) {
+  const double diameter_mm = 2 * length(radius);
+  const std::string name = name_of_tool(tool);
+  if (!(diameter_mm >= 0))
+    return lose_rest("TOOL DEF states a negative radius of tool " + name + "; expected 0 or more");
+  if (!(diameter_mm > 0)) return;  // the program does not use the radius
+  const auto [known, is_new] = diameters_mm_.emplace(name, diameter_mm);
+  if (!is_new && std::abs(known->second - diameter_mm) > Tolerance::kFilePoint_mm)
+    return lose_rest("TOOL DEF states two different radii of tool " + name + "; expected one");
+  for (PathTool& loaded : input_.path.tools)
+    if (loaded.number == tool.number && loaded.name == tool.name) loaded.stated_diameter_mm = diameter_mm;
 }
 
 // Source: iTNC 530 60642x-04, TOOL DEF: length L and radius R; without them the tool is only made ready.
@@ -238,10 +259,14 @@ void KlartextRunner::define_tool(std::string_view text) {
   const auto number = whole_number(words.front());
   const bool is_named = words.front().kind == KlartextWord::Kind::text;
   if (words.front().name != "T" || (!number && !is_named)) return lose_rest("TOOL DEF states no tool");
+  PathTool defined;
+  if (!is_named) defined.number = number;
+  defined.name = words.front().text;
   for (std::size_t i = 1; i < words.size(); ++i) {
     const KlartextWord& word = words[i];
     const bool is_length = word.has_number("L");
     if (!is_length && !word.has_number("R")) return lose_rest("'" + word_text(word) + "' has no place in TOOL DEF");
+    if (!is_length) define_radius(defined, word.value);
     if (!is_length || !number || facts_.error) continue;
     const double stated_mm = length(word.value);
     if (const auto other_mm = contradicted_length(setup_.lengths_mm, *number, stated_mm))

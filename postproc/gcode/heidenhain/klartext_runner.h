@@ -65,6 +65,7 @@ class KlartextRunner {
   void end_program(std::string_view text);
   void call_tool(std::string_view text);
   void define_tool(std::string_view text);
+  void define_radius(const PathTool& tool, double radius);
   void run_functions(std::string_view text);
   [[nodiscard]] bool read_words(std::string_view text, Words& words);
   [[nodiscard]] bool take_words(std::string_view text, const PathForm& form, PathWords& taken);
@@ -140,6 +141,7 @@ class KlartextRunner {
   KlartextCycleCall cycle_;
   ProgramFacts facts_;
   LengthUnit unit_ = LengthUnit::mm;
+  std::map<std::string, double> diameters_mm_;  // that TOOL DEF states, by name_of_tool
   std::optional<double> feed_;
   bool is_per_revolution_ = false;
   std::optional<std::array<double, 2>> pole_;  // mm of the program

@@ -149,6 +149,26 @@ TEST(KlartextTools, AreNotCheckedWithOtherLengths) {
   expect_open(kStart + "TOOL CALL 2 Z S1 K5\nL X+1\n", "no place in TOOL CALL");
 }
 
+TEST(KlartextTools, HaveTheDiameterThatTheProgramStates) {
+  const auto diameter = [](const std::string& before, const std::string& after = "") {
+    const Toolpath path =
+        path_of("BEGIN PGM A MM\n" + before + "TOOL CALL 1 Z S1\n" + kStart + after + "L X+1\nEND PGM A MM\n");
+    EXPECT_EQ(count_open(path), 0U) << before;
+    return path.tools.at(0).stated_diameter_mm;
+  };
+  EXPECT_EQ(diameter("TOOL DEF 1 L+0 R+20\n"), 40);
+  EXPECT_EQ(diameter("", "TOOL DEF 1 L+0 R+20\n"), 40);
+  EXPECT_EQ(diameter("TOOL DEF 1 R+20\nTOOL DEF 1 L+0 R+20\n"), 40);
+  EXPECT_EQ(diameter("TOOL DEF 2 R+20\nTOOL DEF \"1\" R+30\n"), 0);
+  EXPECT_EQ(diameter("TOOL DEF 1 L+0 R+0\n"), 0);
+  EXPECT_EQ(diameter("TOOL DEF 1\n"), 0);
+  const Toolpath named =
+      path_of("BEGIN PGM A INCH\nTOOL DEF \"B\" R+1\nTOOL CALL \"B\" Z S1\n" + kStart + "END PGM A INCH\n");
+  EXPECT_EQ(named.tools.at(0).stated_diameter_mm, 50.8);
+  expect_open(kStart + "TOOL DEF 1 R-2\nL X+1\n", "a negative radius of tool 1");
+  expect_open(kStart + "TOOL DEF 1 R+2\nTOOL DEF 1 R+3\nL X+1\n", "two different radii of tool 1");
+}
+
 TEST(KlartextTools, OfTwoLengthsAreRefused) {
   GcodeOptions options;
   options.setup.lengths_mm[3] = 90;
