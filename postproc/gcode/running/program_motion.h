@@ -180,6 +180,10 @@ class ProgramMotion {
   void note_height(const AxisPlace& to);
   [[nodiscard]] std::optional<int> tool_number() const;
   [[nodiscard]] std::optional<double> length_of(std::optional<int> number) const;
+  /// Returns the length of a tool from the gauge point to the tip; none: it is not known.
+  [[nodiscard]] std::optional<double> gauge_length_of(std::optional<int> number) const;
+  /// Returns the reason why that length of the loaded tool is not known, and what is expected.
+  [[nodiscard]] std::string why_no_gauge_length() const;
   void store_angles(const Move& move, const AxisPlace& to);
 
   PathBuilder& builder_;

@@ -163,6 +163,22 @@ std::optional<double> ProgramMotion::length_of(std::optional<int> number) const 
   return setup_.tool_length_mm;
 }
 
+// A negative length is measured from another point, such as the tip of another tool, and so are all lengths with it. Their
+// differences stay right.
+std::optional<double> ProgramMotion::gauge_length_of(std::optional<int> number) const {
+  const std::map<int, double>& lengths = setup_.lengths_mm;
+  const bool is_relative = number && lengths.contains(*number) &&
+                           std::ranges::any_of(lengths, [](const auto& length) { return length.second < 0; });
+  return is_relative ? std::nullopt : length_of(number);
+}
+
+std::string ProgramMotion::why_no_gauge_length() const {
+  const std::optional<int> tool = tool_number();
+  if (!tool || !length_of(tool)) return " is not given; expected --tool-lengths or --tool-length";
+  return " is not known, because --tool-lengths has a negative length; expected lengths from the gauge point of the "
+         "spindle to the tip";
+}
+
 void ProgramMotion::set_tip_control(TipControl control) {
   if (state_.tip_control == control) return;
   change_state([&] {
@@ -207,7 +223,7 @@ std::string ProgramMotion::why_sideways() const {
 // whose head does not turn: the program states the tip.
 void ProgramMotion::settle_length() {
   const std::optional<int> tool = tool_number();
-  const std::optional<double> true_length = length_of(tool);
+  const std::optional<double> true_length = gauge_length_of(tool);
   const bool is_named = tool_ != kNone && !builder_.path.tools[tool_].name.empty();
   const std::string name = tool       ? "T" + std::to_string(*tool)
                            : is_named ? "tool " + builder_.path.tools[tool_].name
@@ -226,14 +242,13 @@ void ProgramMotion::settle_length() {
     } else if (true_length) {
       state_.excess_length_mm = -*true_length;
     } else {
-      state_.open_length =
-          "no tool length is applied, and that of " + name + " is not given; expected --tool-lengths or --tool-length";
+      state_.open_length = "no tool length is applied, and that of " + name + why_no_gauge_length();
     }
     return;
   }
   const bool needs_length = setup_.machine != nullptr && has_rotary_head(*setup_.machine);
   if (needs_length && !true_length && state_.tip_control == TipControl::off)
-    state_.open_length = "the length of " + name + " is not given; expected --tool-lengths or --tool-length";
+    state_.open_length = "the length of " + name + why_no_gauge_length();
   if (!lost_length_.empty()) {
     state_.open_length = lost_length_;
     return;
@@ -261,7 +276,7 @@ void ProgramMotion::change_tool(const PathTool& tool) {
   tool_ = static_cast<std::size_t>(same - builder_.path.tools.begin());
   if (same == builder_.path.tools.end()) {
     builder_.path.tools.push_back(tool);
-    const std::optional<double> length = length_of(tool.number);
+    const std::optional<double> length = gauge_length_of(tool.number);
     if (length && !std::isnan(*length)) builder_.path.tools.back().gauge_length_mm = length;
   }
   chain_.break_off();

@@ -394,6 +394,19 @@ TEST(GcodeWords, GiveEachToolItsLength) {
   EXPECT_EQ(path.tools[1].gauge_length_mm, 60);
 }
 
+TEST(GcodeWords, OfNegativeLengthsStateDifferencesAlone) {
+  ProgramSetup setup;
+  setup.lengths_mm = {{1, 100}, {2, -60}};
+  const std::string text = program("T2 M6\nG43 H2 G0 X0. Y0.\nZ9.\nG1 X5. F9.\n");
+  expect_checked(text, "haas", setup);
+  for (const PathTool& tool : path_of_program(text, "haas", setup).tools) EXPECT_FALSE(tool.gauge_length_mm);
+  const Toolpath other = path_of_program(program("T2 M6\nG43 H1 G0 X0. Y0.\nZ9.\n"), "haas", setup);
+  EXPECT_NEAR(other.moves.back().end.tip.z(), 9 + 160, 1e-9) << "the difference of both lengths";
+  expect_open(program("G49\nG0 Z90.\n"), "haas", "--tool-lengths has a negative length", setup);
+  setup.lengths_mm[2] = 60;
+  expect_checked(program("G49\nG0 Z90.\n"), "haas", setup);
+}
+
 // Fanuc B-63944EN, Logical expressions; Haas, Macros, Round off: a calculated value may be on either side of a limit that
 // doubles meet exactly.
 TEST(GcodeWords, LimitsThatCalculatedValuesMeetAreOpen) {
