@@ -12,7 +12,7 @@ namespace gouge {
 struct ToolFromPath {
   ToolAssembly tool;
   bool is_length_stated = true;  ///< false: its length is assumed
-  Diagnostics notes;  ///< assumptions that were necessary
+  Diagnostics notes;             ///< assumptions that were necessary
 };
 
 /// Makes a tool assembly from the statements of a toolpath, which `tool.cutter` must hold. CL data states no holder, so
