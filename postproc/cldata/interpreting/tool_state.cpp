@@ -38,15 +38,15 @@ bool has_number_after_diameter(const std::vector<Argument>& arguments) {
   return arguments.size() > 2 && arguments[1].number && arguments[2].number;
 }
 
-// Returns the name in single quotes among the arguments, which may contain commas; empty: there is none.
-std::string name_in_quotes(const std::vector<Argument>& arguments) {
-  std::string name;
-  for (const Argument& argument : arguments) {
-    if (name.empty() && !argument.text.starts_with('\'')) continue;
-    name += (name.empty() ? "" : ",") + std::string(argument.text);
-    if (name.size() > 1 && name.ends_with('\'')) break;
+// Returns the first text in single quotes of a statement, which may contain commas; empty: there is none.
+std::string name_in_quotes(const Statement& statement) {
+  for (const std::string_view piece : statement.pieces) {
+    const std::size_t begin = piece.find('\'');
+    if (begin == std::string_view::npos) continue;
+    const std::string_view behind = piece.substr(begin + 1);
+    return name_text(behind.substr(0, behind.find('\'')));
   }
-  return name_text(name);
+  return {};
 }
 
 // Returns whether a CUTTER/d,r repeats, in short form, a cutter that was given in full.
@@ -192,7 +192,8 @@ void ToolState::change_number(int number) {
   tool_.flute_length_mm = 0;
   tool_.diameter_mm = 0;
   tool_.line = in_.line();
-  const auto known = index_of_number_.find(number);
+  auto known = index_of_number_.find({number, tool_.name});
+  if (known == index_of_number_.end()) known = index_of_number_.find({number, {}});
   if (known == index_of_number_.end()) return;
   const PathTool& tool = in_.path.tools[known->second];
   const bool is_other = !tool_.name.empty() && !tool.name.empty() && tool_.name != tool.name;
@@ -241,7 +242,8 @@ std::size_t ToolState::find_or_add() {
       in_.give_up();
     }
     tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line, tool_.diameter_mm});
-    if (tool_.number) index_of_number_[*tool_.number] = it->second;
+    if (tool_.number)
+      index_of_number_[{*tool_.number, {}}] = index_of_number_[{*tool_.number, tool_.name}] = it->second;
   } else {
     PathTool& tool = tools[it->second];
     if (tool.flute_length_mm <= 0) tool.flute_length_mm = tool_.flute_length_mm;
@@ -284,7 +286,7 @@ std::optional<int> whole_number(const Argument& argument) {
 
 void change_number(States& s, int number) {
   s.tool.change_number(number);
-  if (const std::string name = name_in_quotes(s.in.arguments); !name.empty()) s.tool.take_name_of_number(name);
+  if (const std::string name = name_in_quotes(s.in.statement()); !name.empty()) s.tool.take_name_of_number(name);
   s.chain.note_loading();
 }
 
@@ -310,7 +312,10 @@ void take_tool_number(States& s) {
   if (may_be_ready_only) s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kReadyTool));
   // The number after that in LOADTL/n is a register.
   if (s.in.statement().word == Word::toolno) s.tool.take_diameter_of_toolno(s.frame.mm_per_unit());
-  if (!is_loading && has_number_after_diameter(s.in.arguments)) s.in.count_unknown();
+  if (!is_loading && has_number_after_diameter(s.in.arguments)) {
+    s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kUnreadTool));
+    s.in.count_unknown();
+  }
 }
 
 void take_load(States& s) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "postproc/cldata/interpreting/statement_context.h"
 #include "postproc/cldata/interpreting/uncertainties.h"
@@ -93,7 +94,8 @@ class ToolState {
   bool is_used_ = false;    // by a motion since then
   std::size_t index_ = kNone;
   std::map<Key, std::size_t> index_of_key_;
-  std::map<int, std::size_t> index_of_number_;  // the last tool seen with each number
+  std::map<std::pair<int, std::string>, std::size_t>
+      index_of_number_;  // the last tool of number and name, or of any name
   std::string last_insert_;
   std::size_t cutters_without_tool_ = 0;
   Tally recomputed_;
