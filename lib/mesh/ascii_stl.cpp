@@ -57,9 +57,13 @@ class Words {
 
   // Skips the rest of the line: it is a name, which may be any text. Only a facet may follow it on the line, because
   // some writers use no line ends at all.
-  void skip_name() {
-    for (; at_ < text_.size() && !is_line_end(text_[at_]); ++at_)
-      if (is_blank(text_[at_]) && is_facet_at(at_ + 1)) return;
+  /// Skips the name of a solid. Returns whether it is text: the header of a binary STL may begin with the same word.
+  [[nodiscard]] bool skip_name() {
+    for (; at_ < text_.size() && !is_line_end(text_[at_]); ++at_) {
+      if (text_[at_] == '\0') return false;
+      if (is_blank(text_[at_]) && is_facet_at(at_ + 1)) return true;
+    }
+    return true;
   }
 
   [[nodiscard]] std::size_t line() const { return line_; }
@@ -102,6 +106,9 @@ class Words {
   bool is_line_start_ = true;
 };
 
+constexpr const char* kNoText =
+    "expected the name of a solid, found bytes that are no text: a binary STL may follow; give each STL as a file of its own";
+
 class AsciiParser {
  public:
   AsciiParser(std::string_view bytes, const std::string& name, const ProgressCall& progress)
@@ -140,12 +147,12 @@ class AsciiParser {
   bool parse_statement() {
     const std::string_view word = words_.next();
     if (equals(word, "solid")) {
-      words_.skip_name();
+      if (!words_.skip_name()) return fail(kNoText);
       is_in_solid_ = true;
       return true;
     }
     if (equals(word, "endsolid") || is_end_of(word, "solid")) {
-      words_.skip_name();
+      if (!words_.skip_name()) return fail(kNoText);
       is_in_solid_ = false;
       return true;
     }
@@ -275,7 +282,7 @@ bool looks_like_ascii_stl(std::string_view bytes) {
   const std::string_view first = words.next();
   if (equals(first, "facet")) return true;
   if (!equals(first, "solid")) return false;
-  words.skip_name();
+  static_cast<void>(words.skip_name());  // of a binary header it is no text
   const std::string_view second = words.peek();
   if (equals(second, "facet") || equals(second, "endsolid") || equals(second, "solid")) return true;
   // If neither word follows, only text is ASCII STL, because its errors deserve a line number. Otherwise it is a binary

@@ -119,7 +119,8 @@ TEST_F(BatchBeside, AHolderDatabaseThatIsPutThereRunsTheJobAgain) {
   write("part.stl", box_stl({-100, 5, -5}, {100, 9, 60}));
   write("a.apt", "PARTNO/A\nUNITS/MM\nLOADTL/1\nFEDRAT/100,MMPM\nGOTO/-30,0,1\nGOTO/30,0,1\nFINI\n");
   write("metric/tool_database.dat", kToolDatabase);
-  expect_again({"a.apt", "--tools", "metric/tool_database.dat"}, "metric/holder_database.dat", kHolderDatabase);
+  expect_again({"a.apt", "--tools", "metric/tool_database.dat", "--assume", "tool"}, "metric/holder_database.dat",
+               kHolderDatabase);
 }
 
 TEST_F(BatchBeside, AStoreWithoutItsSearchesIsNotBelieved) {

@@ -72,9 +72,12 @@ void CltSetup::take_axis() {
   if (std::abs(axis.norm() - 1) <= kFrameError) axis_ = axis.normalized();
 }
 
-// Compares the Z axis of the setup, as it results from the turns, with TLAXIS.
-void CltSetup::choose_decimals() {
-  if (!in_.dialect.has_setups || !is_new_) return;
+// Compares the Z axis of the setup, as it results from the turns, with TLAXIS. A first position before both has the axes
+// of the model.
+void CltSetup::settle() {
+  if (!in_.dialect.has_setups) return;
+  if (!is_new_ && !first_) first_ = axes();
+  if (!is_new_) return;
   is_new_ = false;
   const auto uncertainty = [&](const char* reason) {
     uncertainties_.set(Uncertainty::clt_setup, in_.named(reason, word_, line_));

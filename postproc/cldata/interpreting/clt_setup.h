@@ -25,7 +25,7 @@ class CltSetup {
   /// Ends a feature and all turns that it left in force. Each feature states its own turns.
   void end_feature();
   /// Evaluates the setup at a position, because several statements before it make the setup.
-  void choose_decimals();
+  void settle();
   void write_note() const;
 
  private:

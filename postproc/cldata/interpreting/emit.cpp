@@ -111,7 +111,7 @@ void emit_uncertain(States& s, const Position& position) {
 }  // namespace
 
 void emit(States& s, const Position& position) {
-  s.setup.choose_decimals();
+  s.setup.settle();
   resolve_tool(s);
   (void)s.operation.resolve();
   const bool is_from = position.form == PositionForm::from;

@@ -77,7 +77,9 @@ struct Dialect {
       "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
   /// The error for a file without a position; empty: that of text.
   std::string_view no_position = {};
-  bool is_fallback = false;  ///< whether it is the dialect of files without the marks of any dialect
+  bool is_fallback = false;        ///< whether it is the dialect of files without the marks of any dialect
+  std::string_view other_id = {};  ///< id of another dialect of which the file has a mark too; empty: it has none
+  std::size_t other_line = 0;      ///< line of that mark, with other_id
 
   // Positions.
   bool is_axis_modal = false;             ///< a position without axis keeps the last axis; else it means +Z or TLAXIS

@@ -40,6 +40,11 @@ Assumption dialect_fact(const Dialect& dialect, bool is_given) {
                   : dialect.is_fallback ? "no mark of a writer was found; the file is read as plain APT"
                                         : "recognized by its content";
   fact.remedy = "give --dialect";
+  if (is_given || dialect.other_id.empty()) return fact;
+  fact.basis = Basis::contradicted;
+  fact.line = dialect.other_line;
+  fact.evidence = "the file has marks of " + std::string(dialect.id) + ", and a mark of " +
+                  std::string(dialect.other_id) + " in line " + std::to_string(dialect.other_line);
   return fact;
 }
 

@@ -97,12 +97,23 @@ FirstLines look_at(std::string_view bytes) {
   return found;
 }
 
+// Notes the first mark of another dialect. No known writer has marks of two.
+Dialect with_other_mark(Dialect dialect, const FirstLines& found) {
+  for (std::size_t i = 0; i < kMarks.size(); ++i) {
+    if (kMarks[i].kind == dialect.kind || !counts(found, i)) continue;
+    if (dialect.other_line > 0 && found.first_line[i] >= dialect.other_line) continue;
+    dialect.other_id = dialect_of(kMarks[i].kind).id;
+    dialect.other_line = found.first_line[i];
+  }
+  return dialect;
+}
+
 }  // namespace
 
 Dialect recognise_text(std::string_view bytes) {
   const FirstLines found = look_at(bytes);
   for (std::size_t i = 0; i < kMarks.size(); ++i) {
-    if (counts(found, i)) return dialect_of(kMarks[i].kind);
+    if (counts(found, i)) return with_other_mark(dialect_of(kMarks[i].kind), found);
   }
   return dialect_of(found.gotos > 0 && found.others == 0 ? DialectKind::goto_list : DialectKind::apt);
 }

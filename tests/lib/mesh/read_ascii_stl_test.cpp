@@ -66,6 +66,12 @@ TEST(ReadAsciiStl, SeveralSolidsWithOddNamesAreOneSoup) {
   EXPECT_EQ(soup->triangles.size(), 16U);
 }
 
+TEST(ReadAsciiStl, ABinaryStlBehindTextIsNoNameOfASolid) {
+  const std::string binary = "solid of a CAD system" + std::string(59, '\0') + std::string(4, '\0');
+  EXPECT_NE(error_of(shapes::ascii_stl(shapes::cube(), "a") + binary).find("a binary STL may follow"),
+            std::string::npos);
+}
+
 TEST(ReadAsciiStl, OldMacLineEndsCountAsLines) {
   std::string text = replaced(shapes::ascii_stl(shapes::tetrahedron()), "vertex 0 10 0", "vertex 0 oops 0");
   for (char& c : text) c = c == '\n' ? '\r' : c;

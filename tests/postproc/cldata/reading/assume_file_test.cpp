@@ -71,6 +71,21 @@ TEST(AssumeFile, AFileIsWholeWithItsEndMarkAndUnknownWithoutOneItShouldHave) {
   EXPECT_EQ(basis("GOTO/1,2,3\nGOTO/1,2,4\n"), Basis::by_default) << "a list of positions has no end mark";
 }
 
+TEST(AssumeFile, MarksOfTwoDialectsContradictEachOther) {
+  const std::string two = "$$* Pro/CLfile\nCSI_TOOL_PATH/A\nUNITS/MM\nGOTO/1,2,3\nFINI\n";
+  const Assumption fact = fact_in(two, Subject::dialect);
+  EXPECT_EQ(fact.basis, Basis::contradicted);
+  EXPECT_EQ(fact.evidence, "the file has marks of apt-creo, and a mark of apt-camplete in line 2");
+  EXPECT_EQ(fact.line, 2u);
+  ReadOptions stated;
+  stated.dialect = dialect_called("apt-camplete");
+  EXPECT_EQ(fact_in(two, Subject::dialect, stated).basis, Basis::stated);
+  EXPECT_EQ(
+      fact_in("MCSYS/ NUM,1,POINT,0,0,0,VECTOR,1,0,0,VECTOR,0,1,0\nOPNAME/A\nGOTO/1,2,3\n", Subject::dialect).basis,
+      Basis::derived)
+      << "two marks of one dialect";
+}
+
 TEST(AssumeFile, WordsThatAreNotUnderstoodAreNamed) {
   EXPECT_EQ(fact_in("UNITS/MM\nCOOLNT/ON\nGOTO/1,2,3\nFINI\n", Subject::statements).basis, Basis::derived);
   const Assumption unknown = fact_in("UNITS/MM\nGOTO/1,2,3\nFROBNI\nFROBNI\nFINI\n", Subject::statements);

@@ -117,6 +117,8 @@ TEST(ClSetup, AnotherSetupThanTheFirstIsNotChecked) {
   EXPECT_EQ(not_checked(path_of(head + turned + here + next + turned + here + "FINI\n")), 0u) << "left turned";
   EXPECT_EQ(not_checked(path_of(head + turned + here + next + here + "FINI\n")), 2u) << "which setup?";
   EXPECT_EQ(not_checked(path_of(head + turned + here + turned + here + "FINI\n")), 2u) << "by half a turn";
+  EXPECT_EQ(not_checked(path_of(head + here + turned + here + "FINI\n")), 2u) << "the first one states nothing";
+  EXPECT_EQ(not_checked(path_of(head + here + next + "TLAXIS/ 0,-1,0\n" + here + "FINI\n")), 2u) << "axis alone";
   const Toolpath path = path_of(head + up + here + turned + here + "FINI\n");
   EXPECT_EQ(path.moves[2].not_checked_reason,
             "positions are in another setup than those before: how the two lie to each other the file does not say: "
