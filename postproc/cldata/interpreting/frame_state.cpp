@@ -153,6 +153,9 @@ std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> argument
 void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
   const bool has_blocks = s.blocks.is_open() || s.in.dialect.operations_are_blocks;
   const bool is_changed = s.frame.set(to_part);
+  const bool was_stated = std::exchange(s.is_frame_stated, true);
+  const bool is_late = is_changed && !has_blocks && !was_stated;
+  if (is_late) mark_moves_uncertain(s, 0, s.in.moves(), Reasons::kLateFrame);
   if (is_changed || says_axis) s.axes.note_frame(says_axis);
   if (is_changed) {
     ++s.frame_changes;

@@ -45,6 +45,8 @@ struct Reasons {
   static constexpr const char* kNoTlon = "an INDIRV that no TLON follows: a motion may be missing here";
   static constexpr const char* kBetweenBlocks =
       "positions stand between END-OF-PATH and TOOL PATH: in which frame and with which tool the file does not say";
+  static constexpr const char* kLateFrame =
+      "positions before the first statement of a frame, which is another one than they were taken in";
   static constexpr const char* kMsysOutside =
       "an MSYS stands between END-OF-PATH and this TOOL PATH, which has none: which frame holds the file does not say";
   static constexpr const char* kNoMsys =

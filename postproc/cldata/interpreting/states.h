@@ -134,6 +134,7 @@ struct States {
   MovnrbState movnrb;
   std::map<int, IndexedMoves> indexed;  ///< by the number in INDEX
   std::size_t frame_changes = 0;
+  bool is_frame_stated = false;            ///< by a word that set_frame serves
   std::optional<double> arc_slope_mm;      ///< rise of the next arc, by ARCSLP
   std::optional<Pose> skip_start;          ///< position before OPSKIP/ON, if it is known
   const char* skip_reason = nullptr;       ///< reason of the last OPSKIP/ON

@@ -46,7 +46,9 @@ TEST(LockedAxis, OfCatiaEndsWithMultaxOn) {
 
 TEST(LockedAxis, IsNotKnownBehindAnotherFrame) {
   const std::string turned = "$$*CATIA0\n$$ A\n$$ 0. -1. 0. 0.\n$$ 1. 0. 0. 0.\n$$ 0. 0. 1. 0.\n";
-  const Toolpath path = path_of(catia("GOTO/0,0,50,0.6,0,0.8\nMULTAX/OFF\nGOTO/0,0,5\n" + turned + "GOTO/9,0,5\n"));
+  const std::string plain = "$$*CATIA0\n$$ A\n$$ 1. 0. 0. 0.\n$$ 0. 1. 0. 0.\n$$ 0. 0. 1. 0.\n";
+  const Toolpath path =
+      path_of(catia(plain + "GOTO/0,0,50,0.6,0,0.8\nMULTAX/OFF\nGOTO/0,0,5\n" + turned + "GOTO/9,0,5\n"));
   ASSERT_EQ(path.moves.size(), 3U);
   EXPECT_TRUE(path.moves[1].not_checked_reason.empty());
   EXPECT_FALSE(path.moves[2].not_checked_reason.empty());

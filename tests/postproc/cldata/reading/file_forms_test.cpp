@@ -125,6 +125,21 @@ TEST(ClSetup, AnotherSetupThanTheFirstIsNotChecked) {
             "ROTABL in line 8");
 }
 
+TEST(Frames, PositionsBeforeTheFirstFrameAreNotChecked) {
+  const std::string here = "GOTO/0,0,9\nGOTO/9,0,9\n";
+  const auto catia = [](const std::string& z) {
+    return "$$*CATIA0\n$$ X\n$$ 1 0 0 0\n$$ 0 1 0 0\n$$ 0 0 1 " + z + "\n";
+  };
+  const std::string head = "$$ CATIA APT\nUNITS/MM\nLOADTL/1\n";
+  EXPECT_EQ(not_checked(path_of(head + here + catia("-3") + here + "END\n")), 2u);
+  EXPECT_EQ(not_checked(path_of(head + here + catia("0") + here + "END\n")), 0u) << "the frame of the part";
+  EXPECT_EQ(not_checked(path_of(head + catia("0") + here + catia("-3") + here + "END\n")), 0u) << "stated before";
+  const std::string mori = "OPNAME/ A\nUNITS/MM\nLOADTL/1\n";
+  EXPECT_EQ(
+      not_checked(path_of(mori + here + "MCSYS/ NUM,1,POINT,0,0,-3,VECTOR,1,0,0,VECTOR,0,1,0\n" + here + "FINI\n")),
+      2u);
+}
+
 TEST(ClSetup, TwoTurnsAreOneAfterTheOther) {
   const std::string head = "UNITS/ MM\nCUTTER/ 6\nOPFEATSTART/A\n";
   const std::string turns = "ROTABL/ 1.570796,CAXIS,TABLE,CCLW\nROTABL/ 1.570796,AAXIS,TABLE,CCLW\n";
