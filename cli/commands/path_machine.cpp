@@ -19,6 +19,7 @@
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/rotary_law.h"
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 #include "postproc/formats/read_toolpath.h"
 
 namespace gouge {
@@ -56,7 +57,7 @@ Diagnostics describe_opposite_axes(const Toolpath& path) {
 std::vector<Gap> gaps_of(const Machine& machine, const Toolpath& path, const JointPath& joints, bool is_rapid) {
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if ((path.moves[i].kind == MoveKind::rapid) != is_rapid || !joints.start[i] || !joints.end[i]) continue;
+    if (runs_rapid(path.moves[i]) != is_rapid || !joints.start[i] || !joints.end[i]) continue;
     const RotaryAngles &from = *joints.start[i], &to = *joints.end[i];
     if (!(std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]) > 0)) continue;
     if (has_opposite_axes(path, i)) continue;

@@ -6,6 +6,7 @@
 #include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_choice.h"
 #include "lib/certify/check.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::array kCompared = {TurnLaw::vector, TurnLaw::axis, TurnLaw::joint
 LawRecord record_for(TurnLaw law, bool is_rapid, const Toolpath& path, const MoveVerdicts& verdicts) {
   LawRecord record{.law = turn_law_name(law), .is_rapid = is_rapid};
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if ((path.moves[i].kind == MoveKind::rapid) != is_rapid) continue;
+    if (runs_rapid(path.moves[i]) != is_rapid) continue;
     const MoveVerdict& verdict = verdicts[i];
     const bool is_open = verdict.state == MoveState::not_checked || verdict.state == MoveState::not_certified;
     if (is_open) ++record.open;
@@ -58,7 +59,7 @@ std::vector<LawRecord> compare_laws(const Job& job, const PreparedScene& scene, 
     if (is_for_feeds) feeds.push_back(record_for(law, false, path, result.verdicts));
     rapids.push_back(record_for(law, true, path, result.verdicts));
   }
-  const auto is_rapid = [](const Move& move) { return move.kind == MoveKind::rapid; };
+  const auto is_rapid = [](const Move& move) { return runs_rapid(move); };
   if (std::ranges::any_of(job.toolpath.moves, is_rapid)) feeds.insert(feeds.end(), rapids.begin(), rapids.end());
   return feeds;
 }

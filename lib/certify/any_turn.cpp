@@ -9,6 +9,7 @@
 #include "lib/check/check_move.h"
 #include "lib/head/check_heads.h"
 #include "lib/motion/motion_law.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -35,14 +36,14 @@ class AnyTurnCounter {
       if (!is_asked(i)) continue;
       Motion motion = law_.of(path_, i);
       if (!motion.is_defined() || !motion.is_any() || !turns(motion)) continue;
-      const bool is_rapid = path_.moves[i].kind == MoveKind::rapid;
+      const bool is_rapid = runs_rapid(path_.moves[i]);
       const ToolVariants& tool = *setup_.tools[path_.moves[i].tool];
       const ToolVariants* const bodies = is_rapid ? &tool : tool.tilted ? tool.tilted->without_cutter() : nullptr;
       if (!is_rapid && bodies == nullptr && heads_ == nullptr) continue;
       if (!group.motions.empty() && group.bodies != bodies) examine(group, counts);
       group.bodies = bodies;
       group.motions.push_back(std::move(motion));
-      group.kinds.push_back(path_.moves[i].kind);
+      group.kinds.push_back(run_kind(path_.moves[i]));
     }
     examine(group, counts);
     return counts;

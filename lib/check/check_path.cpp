@@ -10,6 +10,7 @@
 #include "lib/check/reach.h"
 #include "lib/check/verdict_bytes.h"
 #include "lib/motion/motion_law.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -47,7 +48,7 @@ class PathChecker {
       }
       batch.moves.push_back(i);
       batch.motions.push_back(std::move(motion));
-      batch.kinds.push_back(move.kind);
+      batch.kinds.push_back(run_kind(move));
     }
     return bounds + check(batch, verdicts);
   }

@@ -8,6 +8,7 @@
 #include "lib/correct/correct_pose.h"
 #include "lib/correct/shift_arc.h"
 #include "lib/geom/triangle.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -66,7 +67,8 @@ class ArcKeeper {
   [[nodiscard]] const ToolVariants& tool_of(std::size_t move) const { return *k_.tools[k_.path.moves[move].tool]; }
   [[nodiscard]] ArcTask task_of(std::size_t i) const {
     const Move& move = k_.path.moves[i];
-    return {k_.path.arcs[move.curve], k_.path.start_of(i), move.end, end_of(i - 1), end_of(i), move.kind, &tool_of(i)};
+    return {k_.path.arcs[move.curve], k_.path.start_of(i), move.end, end_of(i - 1), end_of(i),
+            run_kind(move),           &tool_of(i)};
   }
 
   bool keep_whole(PathChange& change, const ArcTask& task) {
@@ -153,7 +155,7 @@ class ArcKeeper {
       if (record.move != move || record.is_inserted) continue;
       record.shift_mm = pose.tip - k_.path.moves[move].end.tip;
       record.pose = pose;
-      record.depth_after_mm = k_.checker.measure(pose, k_.path.moves[move].kind, tool_of(move)).depth_mm;
+      record.depth_after_mm = k_.checker.measure(pose, run_kind(k_.path.moves[move]), tool_of(move)).depth_mm;
     }
   }
 
@@ -161,10 +163,10 @@ class ArcKeeper {
   [[nodiscard]] bool may_end(std::size_t move, const Pose& pose) const {
     const Move& m = k_.path.moves[move];
     const Vec3 shift = pose.tip - m.end.tip;
-    const double depth = k_.checker.measure(m.end, m.kind, tool_of(move)).depth_mm;
+    const double depth = k_.checker.measure(m.end, run_kind(m), tool_of(move)).depth_mm;
     const double side = k_.correct.max_side_shift_mm.value_or(kSideShiftsPerDepth * depth);
     return shift.norm() <= k_.correct.max_shift_mm && side_shift_mm(shift, m.end.axis) <= side &&
-           why_not_shift(m.end, pose, m.kind, tool_of(move), k_.checker) == nullptr;
+           why_not_shift(m.end, pose, run_kind(m), tool_of(move), k_.checker) == nullptr;
   }
 
   [[nodiscard]] bool is_plain(std::size_t move) const {

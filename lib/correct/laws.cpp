@@ -6,6 +6,7 @@
 
 #include "lib/correct/plan_holes.h"
 #include "lib/motion/motion.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -88,7 +89,8 @@ class LawsCheck {
     if (!may_end_elsewhere && !is_same_pose(own.end, old.end)) return false;
     const bool is_rapid_asked = change != nullptr && change->is_end_at_rapid();
     if (is_rapid_asked ? own.kind != MoveKind::rapid
-                       : own.kind != old.kind && !(change != nullptr && change->is_straightened))
+                       : (own.kind != old.kind || runs_rapid(own) != runs_rapid(old)) &&
+                             !(change != nullptr && change->is_straightened))
       return false;
     if (change != nullptr && change->has_arc() && !turns_as_asked(*change, b, span)) return false;
     const MoveVerdict& was = before_.result->verdicts[i];

@@ -7,6 +7,7 @@
 #include "lib/correct/laws.h"
 #include "lib/motion/motion_law.h"
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -55,7 +56,7 @@ class LiftedCuts {
  private:
   [[nodiscard]] bool is_cut(std::size_t i) const {
     const Move& move = path_.moves[i];
-    return move.kind != MoveKind::rapid && move.kind != MoveKind::cycle && move.has_start && move.tool != kNone &&
+    return !runs_rapid(move) && move.kind != MoveKind::cycle && move.has_start && move.tool != kNone &&
            setup_.tools[move.tool] != nullptr && move.not_checked_reason.empty();
   }
   [[nodiscard]] const MotionLaw& law() const { return setup_.options.law; }

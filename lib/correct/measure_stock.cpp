@@ -10,6 +10,7 @@
 #include "lib/correct/plan_holes.h"
 #include "lib/motion/motion_law.h"
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -90,7 +91,7 @@ class Measurer {
 
   [[nodiscard]] bool cuts(const Toolpath& path, std::size_t i) const {
     const Move& move = path.moves[i];
-    return move.kind != MoveKind::rapid && move.has_start && move.tool != kNone && setup_.tools[move.tool] != nullptr &&
+    return !runs_rapid(move) && move.has_start && move.tool != kNone && setup_.tools[move.tool] != nullptr &&
            !setup_.tools[move.tool]->cutting.elements.empty();
   }
 

@@ -7,6 +7,7 @@
 #include "lib/contact/contacts.h"
 #include "lib/correct/laws.h"
 #include "lib/motion/motion_law.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -143,7 +144,7 @@ bool PathCorrector::is_end_in_stock(std::size_t i) const {
 bool PathCorrector::is_plunge(std::size_t i) const {
   while (is_whole(i) && is_end_in_stock(i)) {
     if (++i == path_.moves.size() || !path_.moves[i].has_start) return false;
-    if (path_.moves[i].kind != MoveKind::rapid) return true;
+    if (!runs_rapid(path_.moves[i])) return true;
   }
   return false;
 }
@@ -198,7 +199,7 @@ void PathCorrector::correct_position(std::size_t i) {
 }
 
 double PathCorrector::depth_at(const Pose& pose, std::size_t i) const {
-  return checker_of(i).measure(pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]).depth_mm;
+  return checker_of(i).measure(pose, run_kind(path_.moves[i]), *tools_[path_.moves[i].tool]).depth_mm;
 }
 
 bool PathCorrector::has_new_end(std::size_t i) const {
@@ -335,7 +336,7 @@ std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {
 MoveVerdict PathCorrector::verdict_before(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
   if (verdict.state != MoveState::not_checked || !verdict.reason.is(Reason::Kind::rapid_skipped)) return verdict;
-  return checker_.check(options_.law.of(path_, i), path_.moves[i].kind, *tools_[path_.moves[i].tool], options_);
+  return checker_.check(options_.law.of(path_, i), run_kind(path_.moves[i]), *tools_[path_.moves[i].tool], options_);
 }
 
 /// Returns whether a move with its new ends is clean, or near if it was not clean before.

@@ -11,6 +11,7 @@
 #include "lib/contact/contacts.h"
 #include "lib/correct/correct_pose.h"
 #include "lib/geom/pose.h"
+#include "lib/path/run_kind.h"
 #include "lib/surface/surface.h"
 
 namespace gouge {
@@ -145,7 +146,8 @@ class HolePlanner {
 
   [[nodiscard]] Motion shifted(std::size_t i, const Vec3& by) const {
     const Pose &start = path_.start_of(i), &end = path_.moves[i].end;
-    return checker_.options().law.straight({start.tip + by, start.axis}, {end.tip + by, end.axis});
+    return checker_.options().law.between({start.tip + by, start.axis}, {end.tip + by, end.axis},
+                                          run_kind(path_.moves[i]));
   }
   [[nodiscard]] const ToolVariants& tool_of(std::size_t i) const { return *tools_[path_.moves[i].tool]; }
   [[nodiscard]] CheckOptions within(double share) const {
@@ -159,7 +161,7 @@ class HolePlanner {
     const CheckOptions options = within(kPositionAimShare);
     double most = 0;
     for (const std::size_t i : gouging) {
-      const MoveVerdict verdict = checker_.check(shifted(i, by), path_.moves[i].kind, tool_of(i), options);
+      const MoveVerdict verdict = checker_.check(shifted(i, by), run_kind(path_.moves[i]), tool_of(i), options);
       const bool is_air = verdict.witness && !rule_of(verdict.witness->against).is_workpiece;
       const double aim = is_air ? -kAir_mm : options.tolerance_mm;
       if (verdict.state == MoveState::gouge) most = std::max(most, verdict.depth_mm - aim);
@@ -168,16 +170,16 @@ class HolePlanner {
   }
   [[nodiscard]] bool is_clean(const std::vector<std::size_t>& gouging, const Vec3& by) const {
     return std::all_of(gouging.begin(), gouging.end(), [&](std::size_t i) {
-      return checker_.is_clean(shifted(i, by), path_.moves[i].kind, tool_of(i), within(kMotionAimShare));
+      return checker_.is_clean(shifted(i, by), run_kind(path_.moves[i]), tool_of(i), within(kMotionAimShare));
     });
   }
   [[nodiscard]] double depth(std::size_t i, const Vec3& by) const {
-    return checker_.check(shifted(i, by), path_.moves[i].kind, tool_of(i), within(0)).depth_mm;
+    return checker_.check(shifted(i, by), run_kind(path_.moves[i]), tool_of(i), within(0)).depth_mm;
   }
   [[nodiscard]] bool keeps_law(const std::vector<std::size_t>& gouging, const Vec3& by) const {
     return std::all_of(gouging.begin(), gouging.end(), [&](std::size_t i) {
       const Pose& end = path_.moves[i].end;
-      return why_not_shift(end, {end.tip + by, end.axis}, path_.moves[i].kind, tool_of(i), checker_) == nullptr;
+      return why_not_shift(end, {end.tip + by, end.axis}, run_kind(path_.moves[i]), tool_of(i), checker_) == nullptr;
     });
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/correct/plan_holes.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 
@@ -65,7 +66,7 @@ StockLaws::Examined StockLaws::examine(const Correction& correction, const Check
   }
   for (const Uncorrected& left : correction.uncorrected) has_failed[left.move] = true;
   for (std::size_t i = 0; i < path_.moves.size(); ++i) {
-    const bool is_new_rapid = path_.moves[i].kind == MoveKind::rapid && is_touched[i];
+    const bool is_new_rapid = runs_rapid(path_.moves[i]) && is_touched[i];
     for (std::size_t k = spans[i].first; k < spans[i].last; ++k) {
       const MoveVerdict& verdict = examined.result.verdicts[k];
       const bool is_sought = !examined.sought.empty() && examined.sought.back() == i;

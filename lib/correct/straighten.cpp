@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/path/chords.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -57,8 +58,8 @@ class CurveChoice {
   }
   [[nodiscard]] bool may_move(std::size_t i) const {
     const Move& move = path_.moves[i];
-    return checker_.for_move(i, move.kind == MoveKind::rapid)
-               .check(options_.law.at(move.end), move.kind, *tools_[move.tool], options_, true)
+    return checker_.for_move(i, runs_rapid(move))
+               .check(options_.law.at(move.end), run_kind(move), *tools_[move.tool], options_, true)
                .state != MoveState::clean;
   }
 
@@ -95,8 +96,8 @@ std::optional<ReworkedPath> straighten(const Toolpath& path, const CheckResult& 
       chord.end = to;
       const Motion motion = options.law.straight(from, to);
       from = to;
-      const MotionChecker in_place = checker.meets_stock(i) ? checker.for_move(i, false) : checker;
-      straight.add(chord, i, false, in_place.check(motion, chord.kind, *tools[chord.tool], options, true));
+      const MotionChecker in_place = checker.meets_stock(i) ? checker.for_move(i, runs_rapid(chord)) : checker;
+      straight.add(chord, i, false, in_place.check(motion, run_kind(chord), *tools[chord.tool], options, true));
     }
   }
   return straight;

@@ -8,6 +8,7 @@
 #include "lib/certify/motion_checker.h"
 #include "lib/motion/motion_law.h"
 #include "lib/path/chords.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -155,7 +156,7 @@ class LiftSearch {
         const Motion motion = options_.law.of(moved.path, i);
         if (!motion.is_defined()) verdicts[i].state = MoveState::not_certified;
         if (motion.is_defined())
-          verdicts[i] = checker_.check(motion, moves[i].kind, *setup_.tools[moves[i].tool], options_);
+          verdicts[i] = checker_.check(motion, run_kind(moves[i]), *setup_.tools[moves[i].tool], options_);
       }
     });
     std::optional<Block> worst;

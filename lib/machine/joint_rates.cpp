@@ -6,6 +6,7 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// Returns the minutes of a feed; none: they are not known.
 std::optional<double> minutes_of(const Toolpath& path, std::size_t index) {
   const Move& move = path.moves[index];
-  if (!move.has_start || move.kind == MoveKind::rapid || move.runs_joints || move.feed_unit != FeedUnit::per_minute)
+  if (!move.has_start || runs_rapid(move) || move.runs_joints || move.feed_unit != FeedUnit::per_minute)
     return std::nullopt;
   const double length_mm = move_length_mm(path, index);
   if (!(length_mm > Tolerance::kSamePoint_mm) || !(move.feed_mm > 0)) return std::nullopt;

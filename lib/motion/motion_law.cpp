@@ -1,5 +1,7 @@
 #include "lib/motion/motion_law.h"
 
+#include "lib/path/run_kind.h"
+
 namespace gouge {
 
 std::string MotionLaw::name() const {
@@ -45,7 +47,7 @@ Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
     motion.run_along(toolpath.arcs[move.curve]);
   } else if (move.curve_kind == CurveKind::spline) {
     motion.run_along(toolpath.splines[move.curve]);
-  } else if (move.kind == MoveKind::rapid && rapid_ == RapidMode::dogleg) {
+  } else if (runs_rapid(move) && rapid_ == RapidMode::dogleg) {
     motion.run_dogleg();
   }
   return motion;

@@ -9,6 +9,7 @@
 
 #include "lib/motion/axis_law.h"
 #include "lib/motion/motion.h"
+#include "lib/path/run_kind.h"
 #include "lib/path/toolpath.h"
 
 namespace gouge {
@@ -63,7 +64,7 @@ class MotionLaw {
   /// it.
   [[nodiscard]] bool is_divisible(MoveKind kind) const { return is_divisible(axes_of(kind), kind); }
   /// Returns the same for the motion of a move.
-  [[nodiscard]] bool is_divisible(const Move& move) const { return is_divisible(axes_of(move), move.kind); }
+  [[nodiscard]] bool is_divisible(const Move& move) const { return is_divisible(axes_of(move), run_kind(move)); }
   /// Returns true where the axis turns on the great circle in all motions.
   [[nodiscard]] bool is_great_circle() const {
     return is_on_circle(feed_axes_.get()) && is_on_circle(rapid_axes_.get()) && joint_feed_axes_ == nullptr;
@@ -100,8 +101,8 @@ class MotionLaw {
   }
   /// Returns the law of a move. No other function decides it.
   [[nodiscard]] const AxisLaw* axes_of(const Move& move) const {
-    if (!move.runs_joints || joint_feed_axes_ == nullptr) return axes_of(move.kind);
-    return move.kind == MoveKind::rapid ? joint_rapid_axes_.get() : joint_feed_axes_.get();
+    if (!move.runs_joints || joint_feed_axes_ == nullptr) return axes_of(run_kind(move));
+    return runs_rapid(move) ? joint_rapid_axes_.get() : joint_feed_axes_.get();
   }
   [[nodiscard]] const AxisLaw* axes_of(MoveKind kind) const {
     return kind == MoveKind::rapid ? rapid_axes_.get() : feed_axes_.get();

@@ -4,15 +4,14 @@
 
 #include "lib/path/bending_sum.h"
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kSecondsOfMinute = 60;
 
-bool is_feed_move(const Move& move) {
-  return move.has_start && move.kind != MoveKind::rapid && move.feed_unit != FeedUnit::rapid;
-}
+bool is_feed_move(const Move& move) { return move.has_start && !runs_rapid(move); }
 
 class QualityPass {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -17,7 +18,7 @@ CycleTime time_of(const Toolpath& path, std::size_t index) {
     return time;
   }
   const double length_mm = move_length_mm(path, index);
-  if (move.kind == MoveKind::rapid || move.feed_unit == FeedUnit::rapid) {
+  if (runs_rapid(move)) {
     time.rapids = 1;
     time.rapid_mm = length_mm;
   } else if (move.feed_unit == FeedUnit::per_minute && move.feed_mm > 0 && !move.runs_joints) {

@@ -5,6 +5,7 @@
 
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -32,7 +33,7 @@ double nearest_turn(const Vec3& axis, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-bool is_rapid(const Move& move) { return move.kind == MoveKind::rapid || move.feed_unit == FeedUnit::rapid; }
+bool is_rapid(const Move& move) { return runs_rapid(move); }
 
 bool is_checked_feed(const Move& move) { return !is_rapid(move) && move.not_checked_reason.empty(); }
 

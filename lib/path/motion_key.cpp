@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "lib/base/sha256.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -40,6 +41,7 @@ std::string motion_key(const Toolpath& path, std::size_t index) {
   const Move& move = path.moves[index];
   KeyText text;
   text.add(std::string_view(kind_name(move.kind)));
+  if (run_kind(move) != move.kind) text.add(std::string_view("in rapid"));
   text.add(move.has_start);
   text.add(move.is_linked);
   if (move.runs_joints) text.add(std::string_view("joints"));

@@ -7,6 +7,7 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -62,8 +63,7 @@ void count_motion(const Toolpath& path, std::size_t index, LargestAngle& turns, 
   }
   const double length = move_length_mm(path, index);
   const bool is_curve = move.curve_kind != CurveKind::none;
-  const bool is_cycle_rapid = move.kind == MoveKind::cycle && move.feed_unit == FeedUnit::rapid;
-  if (move.kind == MoveKind::rapid || is_cycle_rapid) {
+  if (runs_rapid(move)) {
     info.rapid_length_mm += length;
   } else if (move.kind == MoveKind::feed || move.kind == MoveKind::cycle || is_curve) {
     info.feed_length_mm += length;

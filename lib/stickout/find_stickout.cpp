@@ -11,6 +11,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/certify/motion_checker.h"
 #include "lib/motion/motion_law.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -120,7 +121,7 @@ class ToolSearch {
                      for (std::size_t m = first; m < last; ++m) {
                        const std::size_t i = moves[m];
                        const MoveVerdict verdict = at.checker->check(
-                           check_options_.law.of(path_, i), path_.moves[i].kind, at.longer.bodies, check_options_);
+                           check_options_.law.of(path_, i), run_kind(path_.moves[i]), at.longer.bodies, check_options_);
                        are_free[m] = is_free(verdict) ? 1 : 0;
                        if (!is_free(verdict)) obstacles_[i] = Obstacle(verdict);
                      }

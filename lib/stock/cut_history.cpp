@@ -6,6 +6,7 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/check/reach.h"
+#include "lib/path/run_kind.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -160,7 +161,7 @@ void CutHistory::add_unknown(std::size_t i) {
 }
 
 bool CutHistory::is_cutting(std::size_t move) const {
-  return path_.moves[move].has_start && path_.moves[move].kind != MoveKind::rapid && tool_of(move).cuts;
+  return path_.moves[move].has_start && !runs_rapid(path_.moves[move]) && tool_of(move).cuts;
 }
 
 bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lib/path/path_info.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -40,8 +41,7 @@ void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, d
   const Moves& moves = job_.path.moves;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Move& move = moves[i];
-    if (move.kind == MoveKind::rapid || !move.has_start || move.tool == kNone || job_.tools[move.tool] == nullptr)
-      continue;
+    if (runs_rapid(move) || !move.has_start || move.tool == kNone || job_.tools[move.tool] == nullptr) continue;
     const CompiledTool& cutter = job_.tools[move.tool]->cutting;
     // No point of the move is farther from the middle between its ends than half of its length.
     const Pose& start = job_.path.start_of(i);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/path/run_kind.h"
+
 namespace gouge {
 namespace {
 
@@ -82,7 +84,7 @@ std::vector<double> shares_at(const ClaimedJoints& joints, ClaimedRun run, const
 }  // namespace
 
 ClaimedRun run_of(const ClaimedJoints& joints, const Move& move) {
-  const bool is_rapid = move.kind == MoveKind::rapid;
+  const bool is_rapid = runs_rapid(move);
   if (move.runs_joints) return is_rapid ? joints.joint_rapids : joints.joint_feeds;
   return is_rapid ? joints.rapids : joints.feeds;
 }

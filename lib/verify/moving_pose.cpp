@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/path/run_kind.h"
+
 namespace gouge {
 namespace {
 
@@ -225,7 +227,7 @@ std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std:
   const PoseBounds from = bounds_of(start);
   if (!(length(from.axis + end.axis).inf() > 1e-6)) return std::nullopt;
   if (move.has_start && move.curve_kind != CurveKind::none) return MotionPiece::along_curve(path, move, from, end);
-  if (move.has_start && move.kind == MoveKind::rapid && is_dogleg) return MotionPiece::dogleg(start, move.end);
+  if (move.has_start && runs_rapid(move) && is_dogleg) return MotionPiece::dogleg(start, move.end);
   return std::vector<MotionPiece>{MotionPiece(from, end)};
 }
 
@@ -312,7 +314,7 @@ Pose pose_at(const Toolpath& path, std::size_t index, double t, bool is_dogleg) 
     if (at == pieces.begin()) piece.control[0] = start.tip;
     if (at == pieces.end() - 1) piece.control[3] = move.end.tip;
     pose.tip = piece.at(t);
-  } else if (move.kind == MoveKind::rapid && is_dogleg) {
+  } else if (runs_rapid(move) && is_dogleg) {
     pose.tip = tip_of_dogleg(start.tip, move.end.tip, t);
   }
   return pose;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/path/run_kind.h"
 #include "lib/verify/bounds.h"
 #include "lib/verify/claimed_pieces.h"
 #include "lib/verify/witness_check.h"
@@ -74,7 +75,7 @@ bool ProgramCuts::is_known(std::size_t move) const {
 
 bool ProgramCuts::cuts(std::size_t move) const {
   const Move& m = path().moves[move];
-  return is_known(move) && m.has_start && m.kind != MoveKind::rapid && program_.cuts[m.tool];
+  return is_known(move) && m.has_start && !runs_rapid(m) && program_.cuts[m.tool];
 }
 
 const ToolContour& ProgramCuts::body_of(std::size_t move) const {

@@ -6,6 +6,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/geom/point_triangle.h"
+#include "lib/path/run_kind.h"
 #include "lib/verify/claimed_pose.h"
 
 namespace gouge {
@@ -119,7 +120,7 @@ class WitnessChecker {
   }
 
   [[nodiscard]] double clearance() const {
-    const bool is_cutting = scene_.path.moves[move_].kind != MoveKind::rapid;
+    const bool is_cutting = !runs_rapid(scene_.path.moves[move_]);
     const ToolContour& watched = w_.is_fixture ? tool_.fixture : is_cutting ? tool_.non_cutting : tool_.part;
     return std::max(0.0, watched.nearest(in_tool(pose(), w_.point)).signed_distance_mm);
   }

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "lib/mesh/mesh_builder.h"
+#include "lib/path/run_kind.h"
 #include "postproc/image/event_scale.h"
 #include "postproc/image/picture_events.h"
 #include "postproc/image/picture_scene.h"
@@ -140,7 +141,7 @@ class ExportMaker {
         continue;
       }
       const MoveState state = input_.result->verdicts[station.move].state;
-      const bool is_rapid = model_.toolpath->moves[station.move].kind == MoveKind::rapid;
+      const bool is_rapid = runs_rapid(model_.toolpath->moves[station.move]);
       if (!is_open || out_.lines.back().state != state || out_.lines.back().is_rapid != is_rapid)
         out_.lines.push_back({state, is_rapid, {last->pose.tip}, {}});
       out_.lines.back().points.push_back(station.pose.tip);

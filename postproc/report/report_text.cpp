@@ -5,6 +5,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
+#include "lib/path/run_kind.h"
 #include "postproc/report/further_text.h"
 #include "postproc/report/tightness.h"
 
@@ -137,7 +138,7 @@ std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit) 
   if (correction.toolpath_before == nullptr) return {};
   double max_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
-    const bool is_cut = correction.toolpath_before->moves[change.move].kind != MoveKind::rapid;
+    const bool is_cut = !runs_rapid(correction.toolpath_before->moves[change.move]);
     if (is_cut && !change.is_uncut() && change.strategy != "tilt") max_mm = std::max(max_mm, change.shift_length_mm);
   }
   if (!(max_mm > 0)) return {};
@@ -274,7 +275,7 @@ std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t m
 std::string event_name(const ReportModel& model, const Event& event) {
   if (event.state != MoveState::gouge || event.against != Against::stock) return state_name(event.state);
   const Move& move = model.toolpath->moves[event.worst_move];
-  if (move.kind == MoveKind::rapid || !move.has_start) return "rapid into stock";
+  if (runs_rapid(move) || !move.has_start) return "rapid into stock";
   return std::string(body_name(event.body)) + " in stock";
 }
 

@@ -159,7 +159,7 @@ Move make_move(States& s, const Position& position, MoveKind kind) {
   move.end.axis.normalize();
   move.tool = s.tool.index();
   move.operation = s.operation.index();
-  const bool is_at_rapid = kind == MoveKind::rapid || (kind == MoveKind::arc && s.feed.is_rapid());
+  const bool is_at_rapid = kind == MoveKind::rapid || (kind != MoveKind::cycle && s.feed.is_rapid());
   move.set_feed(is_at_rapid ? Feed{0, FeedUnit::rapid} : s.feed.feed());
   move.spindle_rpm = s.feed.spindle_rpm();
   move.has_start = s.chain.is_start_certain();

@@ -183,7 +183,9 @@ void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
   emit_step(s, position, above(cycle.clearance_mm), true);
   emit_step(s, position, above(cycle.bottom_mm), false);
   if (const std::optional<double> retract_mm = retract_of(s, position, cycle)) {
-    emit_step(s, position, above(*retract_mm), !cycle.is_fed_out);
+    // Controls feed out to the clearance alone, and go on from there in rapid.
+    if (cycle.is_fed_out) emit_step(s, position, above(cycle.clearance_mm), false);
+    emit_step(s, position, above(*retract_mm), true);
   } else {
     emit_retract(s, position, above(cycle.retract_mm));
   }

@@ -72,7 +72,7 @@ void NciStatements::take_compensation(std::optional<double> value) {
 
 void NciStatements::take_speed(const NciMotion& motion) {
   if (motion.is_rapid) {
-    if (motion.form != NciForm::arc) add(Word::rapid, "RAPID");
+    add(Word::rapid, "RAPID");
   } else if (*fields_[motion.feed].number > 0) {
     add(Word::fedrat, "FEDRAT");
     decoded().push_back(fields_[motion.feed]);

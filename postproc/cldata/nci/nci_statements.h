@@ -40,7 +40,7 @@ class NciStatements final : public StatementSource {
   NciLines lines_;
   NciPair pair_;
   std::vector<Argument> fields_;
-  std::array<Statement, 4> queue_;  // room for CUTCOM, FEDRAT, CIRCLE, GOTO
+  std::array<Statement, 4> queue_;  // room for CUTCOM, RAPID or FEDRAT, CIRCLE, GOTO
   std::size_t queued_ = 0, given_ = 0;
   CutcomSide cutcom_ = CutcomSide::none;
   std::optional<std::string_view> wcs_;

@@ -42,6 +42,7 @@ TEST(MotionKey, SeesEveryBitOfIt) {
   EXPECT_TRUE(differs([](Toolpath& p) { p.moves[1].end.tip.y() = 1e-300; })) << "where it begins";
   EXPECT_TRUE(differs([](Toolpath& p) { p.moves[2].end.axis = {0, 1, 0}; }));
   EXPECT_TRUE(differs([](Toolpath& p) { p.moves[2].kind = MoveKind::rapid; }));
+  EXPECT_TRUE(differs([](Toolpath& p) { p.moves[2].feed_unit = FeedUnit::rapid; })) << "a step of a cycle in rapid";
   EXPECT_TRUE(differs([](Toolpath& p) { p.moves[2].has_start = false; }));
   EXPECT_TRUE(differs([](Toolpath& p) { p.moves[2].not_checked_reason = "why"; }));
   EXPECT_FALSE(differs([](Toolpath& p) { p.moves[2].end.tip.y() = -0.0; })) << "zero has no sign";

@@ -37,6 +37,17 @@ TEST(Stock, ARapidThroughTheBlockIsFoundWithItsFirstContact) {
   EXPECT_FALSE(finding.nearest_cut.has_value());
 }
 
+TEST(Stock, AStepOfACycleOrAnArcInRapidIsARapid) {
+  for (const MoveKind kind : {MoveKind::cycle, MoveKind::arc}) {
+    Toolpath path = path_of({{kRapid, upright(-80, 0, -5)}, {kind, upright(80, 0, -5)}, {kRapid, upright(-80, 0, -5)}});
+    EXPECT_TRUE(run(path, {flat(10, 30, 10)}).findings.empty()) << "at feed it cuts the way of the rapid";
+    path.moves[1].feed_unit = FeedUnit::rapid;
+    const StockResult result = run(path, {flat(10, 30, 10)});
+    ASSERT_EQ(result.findings.size(), 2U) << "it meets the block, and removes nothing";
+    EXPECT_GT(result.findings[0].witness->depth_mm, 4.4);
+  }
+}
+
 TEST(Stock, ARapidAboveTheBlockIsClear) {
   for (const double height : {0.0, 1.0, -0.09}) {
     const StockResult result =

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <numbers>
 #include <string>
+#include <vector>
 
+#include "lib/path/run_kind.h"
 #include "tests/postproc/cldata/path_of.h"
 
 namespace gouge::further_readings_test {
@@ -231,6 +233,32 @@ TEST(Cycle, WhosePositionMayBeEitherEndOfTheHoleIsAColumn) {
   EXPECT_NEAR(lowest, -20, 1e-9);
   EXPECT_EQ(covered(path), unchecked(path));
   EXPECT_EQ(covered(path) + 1, path.moves.size());
+}
+
+std::vector<bool> rapids_of(const Toolpath& path) {
+  std::vector<bool> rapids;
+  for (const Move& move : path.moves) rapids.push_back(runs_rapid(move));
+  return rapids;
+}
+
+using Rapids = std::vector<bool>;
+
+TEST(Rapid, BeforeAnArcIsThatOfTheArc) {
+  const Toolpath path =
+      path_of(apt("GOTO/20,50,9\nRAPID\nMOVARC/30,50,9,0,0,1,10,ANGLE,180\nGOTO/40,50,9\nGOTO/40,60,9\nFINI\n"));
+  EXPECT_EQ(rapids_of(path), (Rapids{false, true, false}));
+  EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
+}
+
+TEST(Rapid, OfACycleIsAllButThePlunge) {
+  const std::string begin = "GOTO/0,0,60\nCYCLE/",
+                    end = ",DEPTH,5,MMPM,100,CLEAR,3,RETURN,9\nGOTO/9,0,0\nCYCLE/OFF\nFINI\n";
+  EXPECT_EQ(rapids_of(path_of(apt(begin + "DRILL" + end))), (Rapids{false, true, true, false, true}));
+  // A bored hole is left at the feed up to the clearance.
+  const Toolpath bored = path_of(apt(begin + "BORE" + end));
+  EXPECT_EQ(rapids_of(bored), (Rapids{false, true, true, false, false, true}));
+  expect_vector(bored.moves[4].end.tip, 9, 0, 3);
+  expect_vector(bored.moves[5].end.tip, 9, 0, 9);
 }
 
 TEST(Cards, HaveNumbersInTheirLastColumns) {

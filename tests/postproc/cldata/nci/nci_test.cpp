@@ -1,6 +1,7 @@
 // Meaning of each field of a motion pair of Mastercam NCI.
 #include <numbers>
 
+#include "lib/path/run_kind.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/parsing/arc_statement.h"
 #include "tests/postproc/cldata/cl_files.h"
@@ -39,6 +40,17 @@ TEST(Nci, FeedMinusTwoIsRapidInEveryLine) {
   EXPECT_EQ(path.moves[0].kind, MoveKind::rapid);
   EXPECT_EQ(path.moves[1].kind, MoveKind::rapid);
   EXPECT_EQ(path.moves[2].kind, MoveKind::feed);
+}
+
+TEST(Nci, FeedMinusTwoIsRapidInAnArcToo) {
+  const auto arc = [](const std::string& feed) { return pair("2", "0 0 9. 0. 7. 0. 1. " + feed + " 0"); };
+  for (const auto& [feed, is_rapid] : {std::pair("-2.", true), std::pair("100.", false), std::pair("-1.", false)}) {
+    const Toolpath path = with(arc(feed));
+    ASSERT_EQ(path.moves.size(), 4U);
+    EXPECT_EQ(path.moves[2].kind, MoveKind::arc);
+    EXPECT_EQ(runs_rapid(path.moves[2]), is_rapid) << feed;
+    EXPECT_FALSE(runs_rapid(path.moves[3]));
+  }
 }
 
 TEST(Nci, CompensationIsModalUntilItIsSwitchedOff) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lib/path/feed.h"
+#include "lib/path/toolpath.h"
+
+namespace gouge {
+
+/// Returns whether the machine runs the move in rapid: also an arc in rapid, and a step of a cycle that positions.
+[[nodiscard]] inline bool runs_rapid(const Move& move) {
+  return move.kind == MoveKind::rapid || move.feed_unit == FeedUnit::rapid;
+}
+
+/// Returns the kind by which the move runs and cuts: rapid where it runs in rapid, else its own.
+[[nodiscard]] inline MoveKind run_kind(const Move& move) { return runs_rapid(move) ? MoveKind::rapid : move.kind; }
+
+}  // namespace gouge
