@@ -6,7 +6,7 @@
 #include "tests/samples/box_stl.h"
 #include "tests/samples/small_shop.h"
 
-// Moves in rapid that are no rapids of their own: arcs and steps of cycles.
+// Moves in rapid that are no rapids of their own: arcs, steps of cycles, lists of positions.
 
 namespace gouge::testing_samples::rapid_moves_test {
 namespace {
@@ -81,6 +81,22 @@ TEST_F(RapidMoves, OfCyclesAreDoglegsAndNearMisses) {
   EXPECT_EQ(with({"--rapid", "dogleg"}).exit_status, 1);
   EXPECT_EQ(shop_.run({"verify", "a.json"}).exit_status, 0);
   EXPECT_NE(with({"--near-miss", "5"}).out.find(" left cutter"), std::string::npos);
+}
+
+TEST_F(RapidMoves, OfListsMustBeClearOfStock) {
+  const auto list = [](const std::string& word) {
+    return "MULTAX/OFF\nGOTO/20,50,60\n" + word + "GOTO/20,50,11,30,50,1,40,50,1\nGOTO/40,50,60\nFINI\n";
+  };
+  EXPECT_EQ(check(list("RAPID\n"), {}).exit_status, 0);
+  EXPECT_EQ(check(list(""), kStock).exit_status, 0);
+  const std::string from = "GOTO/20,50,60\nRAPID\nFROM/20,50,20\nGOTO/20,50,1\nGOTO/20,50,60\nFINI\n";
+  EXPECT_EQ(check(from, {}).exit_status, 0);
+  for (const std::string& text : {list("RAPID\n"), from}) {
+    const Outcome ran = check(text, kStock);
+    EXPECT_EQ(ran.exit_status, 1) << ran.out;
+    EXPECT_NE(ran.out.find(kFound), std::string::npos) << ran.out;
+    EXPECT_EQ(shop_.run({"verify", "a.json"}).exit_status, 0);
+  }
 }
 
 }  // namespace

@@ -122,6 +122,9 @@ void emit(States& s, const Position& position) {
     return emit_hole(s, position, *s.cycle.drill());
 
   const bool is_arc = !is_cycle && (s.curve.arc() || position.form == PositionForm::curve);
+  const bool was_rapid_pending = s.feed.is_rapid_pending();
+  const bool may_be_rapid = !is_cycle && !is_from && position.form != PositionForm::gohome && s.feed.may_be_rapid();
+  if (s.feed.is_rapid() || may_be_rapid) s.feed.note_rapid_position();
   const bool is_rapid = s.feed.is_rapid() || is_from || position.form == PositionForm::gohome;
   if (!is_cycle) settle_retract(s, position);
   Move move = make_move(s, position,
@@ -129,11 +132,13 @@ void emit(States& s, const Position& position) {
                         : is_arc   ? MoveKind::arc
                         : is_rapid ? MoveKind::rapid
                                    : MoveKind::feed);
+  if (may_be_rapid) move.set_feed({0, FeedUnit::rapid});  // so it must be clear of stock, and removes none
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
   if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
   s.arc_slope_mm.reset();
   const bool has_part_of_turn = move.not_checked_reason == ArcProblems::kTimes;
   append(s, move, position);
+  if (is_from && was_rapid_pending) s.feed.keep_rapid_over_from();
   if (has_part_of_turn) emit_one_turn_more(s, position);
   emit_from_before_skip(s, position);
   emit_from_retract(s, position);

@@ -265,7 +265,7 @@ bool is_open(const States& s, ModalState state) {
     case ModalState::start_tangent:
       return s.curve.has_tangent();
     case ModalState::rapid:
-      return s.feed.is_rapid();
+      return s.feed.is_rapid_pending();
     case ModalState::cutter_centre:
       return s.cutcom.is_centre();
     case ModalState::motion_run:

@@ -45,14 +45,26 @@ class FeedState {
   void take_spindle() { spindle_rpm_ = read_spindle_speed(in_.arguments).value_or(spindle_rpm_); }
   void begin_rapid() {
     is_rapid_ = true;
+    is_rapid_before_from_ = false;
     rapid_statement_ = in_.index();
   }
-  void end_rapid() { is_rapid_ = false; }
+  void end_rapid() { is_rapid_ = is_rapid_before_from_ = false; }
+  /// Notes that the first position of the present statement is, or may be, in rapid. Its further ones may be, too.
+  void note_rapid_position() { rapid_list_ = in_.index(); }
+  /// Notes that a FROM, which is no motion, follows a RAPID.
+  void keep_rapid_over_from() { is_rapid_before_from_ = true; }
   void begin_block() { feed_ = {}; }
 
   [[nodiscard]] const Feed& feed() const { return feed_; }
   [[nodiscard]] float spindle_rpm() const { return spindle_rpm_; }
   [[nodiscard]] bool is_rapid() const { return is_rapid_; }
+  /// Returns whether the file leaves open whether a RAPID holds for the next position.
+  [[nodiscard]] bool may_be_rapid() const {
+    const bool goes_on = in_.statement().is_continuation && rapid_list_ + 1 == in_.index();
+    return !is_rapid_ && (is_rapid_before_from_ || rapid_list_ == in_.index() || goes_on);
+  }
+  /// Returns whether a RAPID awaits its motion, surely or perhaps.
+  [[nodiscard]] bool is_rapid_pending() const { return is_rapid_ || is_rapid_before_from_; }
   /// Returns the last RAPID, or kNone.
   [[nodiscard]] std::size_t rapid_statement() const { return rapid_statement_; }
 
@@ -62,7 +74,9 @@ class FeedState {
   float spindle_rpm_ = 0;
   bool has_feed_per_turn_ = false;  // a FEDRAT had this unit; then the unit of one without it is unknown
   bool is_rapid_ = false;
+  bool is_rapid_before_from_ = false;
   std::size_t rapid_statement_ = kNone;
+  std::size_t rapid_list_ = kNone;  // statement whose first position is, or may be, in rapid
 };
 
 /// Text for the control that may be the name that SolidWorks CAM gives to the next tool.

@@ -157,7 +157,7 @@ void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, 
 void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   const MotionRecord& record = records_[move];
   if (!changes_.has_insertion(move)) return;
-  const bool is_rapid = runs_rapid(path_.moves[move]);
+  const bool is_rapid = path_.moves[move].kind != MoveKind::feed && runs_rapid(path_.moves[move]);
   bool is_pending = record.is_rapid;
   for (const Pose& pose : changes_[move]->inserted_before) {
     if (is_rapid && !is_pending) add(NccsClass::kPost, NccsSubclass::kRapid, sequence, {});

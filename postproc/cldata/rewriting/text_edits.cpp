@@ -229,7 +229,7 @@ std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
 // move itself gets a RAPID if it becomes a rapid move.
 std::string CorrectedWriter::insertions(std::size_t move) {
   const MotionRecord& record = records_[move];
-  const bool is_rapid = runs_rapid(path_.moves[move]);
+  const bool is_rapid = path_.moves[move].kind != MoveKind::feed && runs_rapid(path_.moves[move]);
   bool is_rapid_pending = record.is_rapid;
   std::string text;
   if (changes_[move] == nullptr) return text;

@@ -261,6 +261,21 @@ TEST(Rapid, OfACycleIsAllButThePlunge) {
   expect_vector(bored.moves[5].end.tip, 9, 0, 9);
 }
 
+TEST(Rapid, OfAListMayHoldForAllItsPositions) {
+  const Toolpath path =
+      path_of(apt("MULTAX/OFF\nGOTO/20,50,60\nRAPID\nGOTO/20,50,11,30,50,5,40,50,5\nGOTO/40,50,60\nFINI\n"));
+  EXPECT_EQ(rapids_of(path), (Rapids{false, true, true, true, false}));
+  EXPECT_EQ(path.moves[3].kind, MoveKind::feed) << "so that --rapid skip does not leave it out";
+  EXPECT_EQ(rapids_of(path_of(apt("MULTAX/OFF\nGOTO/20,50,60\nGOTO/20,50,11,30,50,5\nFINI\n"))), Rapids(3, false));
+}
+
+TEST(Rapid, MayHoldBehindAFrom) {
+  const std::string begin = "GOTO/20,50,60\nRAPID\nFROM/20,50,20\n", end = "GOTO/20,50,5\nGOTO/20,50,60\nFINI\n";
+  EXPECT_EQ(rapids_of(path_of(apt(begin + end))), (Rapids{false, true, true, false}));
+  EXPECT_EQ(rapids_of(path_of(apt(begin + "FEDRAT/100\n" + end))), (Rapids{false, true, false, false}));
+  EXPECT_EQ(path_of(apt(begin + "RAPID\n" + end)).moves[2].kind, MoveKind::rapid);
+}
+
 TEST(Cards, HaveNumbersInTheirLastColumns) {
   const auto card = [](std::string text, const std::string& number) {
     text.resize(72, ' ');
