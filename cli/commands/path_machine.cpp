@@ -145,9 +145,8 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   if (!reader) return fail(err, {reader.error()});
   const Machine& machine = *reader->machine();
   const std::optional<double>& tool_length_mm = reader->tool_length_mm();
-  if (arguments.is_joints && !tool_length_mm && has_rotary_head(machine))
-    return fail(err,
-                {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
+  if (arguments.is_joints && !tool_length_mm && depends_on_tool_length(machine))
+    return fail(err, {make_error("usage", "--tool-length is missing; the motion of the linear joints depends on it")});
   const Result<double> height = understand_length("--height", arguments.height, Minimum::zero);
   if (!height) return fail(err, {height.error()});
   if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.stated.machine}},

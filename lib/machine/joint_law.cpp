@@ -159,7 +159,7 @@ std::shared_ptr<const AxisPath> JointLaw::between(const Pose& from, const Pose& 
 }
 
 std::optional<double> JointLaw::length_of(const Toolpath* path, std::size_t move) const {
-  if (!has_rotary_head(*machine_)) return 0;
+  if (!depends_on_tool_length(*machine_)) return 0;
   return path == nullptr ? tool_length_mm_ : gauge_length_of_move(*path, move, tool_length_mm_);
 }
 

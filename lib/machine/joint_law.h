@@ -21,14 +21,14 @@ enum class JointTiming {
 class JointLaw : public AxisLaw {
  public:
   /// `tool_length_mm`: from the gauge point to the tip, as in gauge_length_of_move; none: only the tools of the path state
-  /// it. No motion of a machine without a rotary head depends on it. Requires the points of rotary joints.
+  /// it. Not every machine needs it (depends_on_tool_length). Requires the points of rotary joints.
   JointLaw(Machine machine, JointTiming timing, std::optional<double> tool_length_mm)
       : machine_(std::make_shared<const Machine>(std::move(machine))),
         timing_(timing),
         tool_length_mm_(tool_length_mm) {}
 
   /// Uses the nearest angles of both axes. Returns null if the machine cannot reach one of them, or if a joint without a
-  /// rate runs independently beside others. The same for a rotary head whose tool length is not known.
+  /// rate runs independently beside others. The same if the motion depends on a tool length that is not known.
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override;
   /// Uses the angles chosen for the path if they give both axes; otherwise the same as `between`.
   [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const Toolpath* path, std::size_t move, const Pose& from,

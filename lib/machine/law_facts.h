@@ -14,7 +14,7 @@ namespace gouge {
 struct MissingFact {
   enum class Kind {
     point,        ///< on the axis of a rotary joint
-    tool_length,  ///< from the gauge point to the tip, for a rotary head
+    tool_length,  ///< from the gauge point to the tip, if depends_on_tool_length
     rate          ///< of a joint; moves of several joints that need it are not checked
   };
   Kind kind = Kind::point;

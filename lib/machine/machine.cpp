@@ -87,8 +87,17 @@ Machine place_part(Machine machine, const RigidTransform& zero) {
   return machine;
 }
 
-bool has_rotary_head(const Machine& machine) {
-  return std::ranges::any_of(machine.rotary, [&](std::size_t k) { return machine.joints[k].side == JointSide::head; });
+bool depends_on_tool_length(const Machine& machine) {
+  Eigen::Matrix3d directions;
+  for (int k = 0; k < 3; ++k) directions.col(k) = machine.joints[machine.linear[static_cast<std::size_t>(k)]].direction;
+  const Vec3 shifts = directions.partialPivLu().solve(Vec3(machine.rest.rotation.col(2)));
+  // The shifts of the linear joints before a rotary joint must run along its axis. Then it does not turn them.
+  return std::ranges::any_of(machine.rotary, [&](std::size_t rotary) {
+    Vec3 before = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+      if (machine.linear[static_cast<std::size_t>(k)] < rotary) before += shifts[k] * directions.col(k);
+    return before.cross(machine.joints[rotary].direction).norm() > Tolerance::kExactDirection;
+  });
 }
 
 }  // namespace gouge

@@ -93,9 +93,10 @@ struct Machine {
 /// joints have the same name.
 [[nodiscard]] Result<Machine> make_machine(Machine machine);
 
-/// Returns whether a rotary joint carries the tool, so that the linear joints depend on the length of the tool.
-/// Requires Machine::rotary.
-[[nodiscard]] bool has_rotary_head(const Machine& machine);
+/// Returns whether a motion of the joints between two poses depends on the length of the tool. It does, unless a longer tool
+/// shifts each linear joint by the same value at all rotary angles. Requires make_machine.
+/// Proof: docs/method/machine.md, "Tool length".
+[[nodiscard]] bool depends_on_tool_length(const Machine& machine);
 
 /// Describes a machine in the coordinates of a part on it. `zero` maps part coordinates to machine coordinates, in which
 /// the machine is described, with all joints at 0. Then directions, points and Machine::rest are in part coordinates.

@@ -39,6 +39,13 @@ std::string describe_unfit(const Machine& machine) {
   return {};
 }
 
+bool needs_true_length(const Machine& machine) {
+  if (depends_on_tool_length(machine)) return true;
+  const auto z = joint_called(machine, 'Z');
+  const Vec3 along = machine.rest.rotation.col(2);
+  return !z || (machine.joints[*z].direction - along).norm() > Tolerance::kExactDirection;
+}
+
 Diagnostic describe_missing_axis(char letter, const Machine* machine, const std::string& file, std::size_t line) {
   const std::string missing =
       machine != nullptr ? ", which machine " + machine->name + " does not have; expected the machine of this program"
@@ -109,8 +116,9 @@ bool AxisMapper::needs_applied_length(const AxisFrame& state, const RotaryAngles
   if (state.plane) return true;
   if (machine_ == nullptr) return false;
   for (std::size_t k = 0; k < 2; ++k) {
-    const Joint& joint = machine_->joints[machine_->rotary.at(k)];
-    const bool turns_tool = joint.side == JointSide::head || state.tip_control != TipControl::off;
+    const std::size_t joint = machine_->rotary.at(k);
+    const bool turns_tool =
+        machine_->joints[joint].side == JointSide::head || joint > linear_[2] || state.tip_control != TipControl::off;
     if (turns_tool && !stands_at_zero(angles.at(k))) return true;
   }
   return false;
@@ -146,7 +154,7 @@ AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) cons
   if (!state.open_length.empty()) {
     map.is_open_along_z =
         map.open.empty() && !state.plane && !state.frame &&
-        (machine_ == nullptr || (state.tip_control == TipControl::off && !has_rotary_head(*machine_)));
+        (machine_ == nullptr || (state.tip_control == TipControl::off && !needs_true_length(*machine_)));
     map.open = state.open_length;
   }
   if (state.plane && !state.is_aligned) {

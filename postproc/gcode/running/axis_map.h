@@ -94,6 +94,10 @@ class AxisMapper {
 [[nodiscard]] Diagnostic describe_missing_axis(char letter, const Machine* machine, const std::string& file,
                                                std::size_t line);
 
+/// Returns whether a length that the control applies along Z, and that is the true one, moves the tip without tool centre
+/// point control. It does where the tool is not along Z.
+[[nodiscard]] bool needs_true_length(const Machine& machine);
+
 /// Returns why a machine cannot run programs: a linear joint that is not X, Y or Z. Empty: it can.
 [[nodiscard]] std::string describe_unfit(const Machine& machine);
 

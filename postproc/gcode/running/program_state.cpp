@@ -246,7 +246,7 @@ void ProgramMotion::settle_length() {
     }
     return;
   }
-  const bool needs_length = setup_.machine != nullptr && has_rotary_head(*setup_.machine);
+  const bool needs_length = setup_.machine != nullptr && needs_true_length(*setup_.machine);
   if (needs_length && !true_length && state_.tip_control == TipControl::off)
     state_.open_length = "the length of " + name + why_no_gauge_length();
   if (!lost_length_.empty()) {

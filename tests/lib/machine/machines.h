@@ -77,6 +77,37 @@ inline std::vector<Machine> machines_and_placed() {
   return all;
 }
 
+/// Returns a chain of X, Y, Z and two rotary joints in any order, with the head from any joint on. The directions are those of the
+/// axes. If `is_skew`, they are any.
+inline Machine random_chain(Scatter& scatter, bool is_skew) {
+  const auto number = [&](double low, double high) { return scatter.in(low, high); };
+  const auto one_of = [&](std::size_t count) {
+    return static_cast<std::size_t>(number(0, 0.999999) * static_cast<double>(count));
+  };
+  const auto skew = [&](const Vec3& direction) {
+    if (!is_skew) return direction;
+    const double x = number(-0.5, 0.5), y = number(-0.5, 0.5), z = number(-0.5, 0.5);
+    return Vec3(direction + Vec3(x, y, z));
+  };
+  const std::size_t first = one_of(3), second = (first + 1 + one_of(2)) % 3;
+  std::vector<Joint> joints = {kX, kY, kZ};
+  for (const std::size_t along : {first, second}) {
+    const double x = number(-200, 200), y = number(-200, 200), z = number(-200, 200);
+    joints.push_back(rotary(std::string(1, "ABC"[along]), Vec3::Unit(static_cast<Eigen::Index>(along)),
+                            JointSide::table, {x, y, z}));
+  }
+  std::string name;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    std::swap(joints[k], joints[k + one_of(joints.size() - k)]);
+    joints[k].direction = skew(joints[k].direction);
+    joints[k].rate = is_rotary(joints[k]) ? number(20, 60) : number(2000, 6000);
+    name += joints[k].name;
+  }
+  const std::size_t head = one_of(joints.size() + 1);
+  for (std::size_t k = 0; k < joints.size(); ++k) joints[k].side = k < head ? JointSide::table : JointSide::head;
+  return machine(name, std::move(joints));
+}
+
 /// All presets, with points in place of those that they leave empty.
 inline std::vector<Machine> presets() {
   std::vector<Machine> all;
