@@ -167,8 +167,9 @@ namespace {
 /// Returns the hash of all motions, as a result lists them, and of the identities of all tools.
 std::string motions_digest(const Job& job) {
   Sha256 hash;
+  const MotionLaw& law = job.options.check.law;
   for (std::size_t i = 0; i < job.toolpath.moves.size(); ++i)
-    hash.add(motion_key(job.toolpath, i).substr(0, kListedMotionDigits));
+    hash.add(motion_key(job.toolpath, i, law.is_by_axes(job.toolpath.moves[i])).substr(0, kListedMotionDigits));
   for (const ToolFacts& tool : job.tool_facts) hash.add(tool.identity);
   return hash.finish();
 }

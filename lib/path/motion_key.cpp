@@ -2,7 +2,9 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "lib/base/sha256.h"
 #include "lib/path/run_kind.h"
@@ -35,9 +37,28 @@ class KeyText {
   std::string text_;
 };
 
+/// Returns an angle in steps, of which a whole turn has kStepsOfTurn.
+constexpr double kStepsOfTurn = 1e10;
+double steps_of(double angle_rad) { return std::round(angle_rad / (2 * std::numbers::pi) * kStepsOfTurn); }
+
+/// Adds where the rotary joints begin within a turn, and how far they turn. Without a start they stand.
+void add_turns(const Toolpath& path, std::size_t index, KeyText& text) {
+  const JointPath* const joints = path.joints.get();
+  if (joints == nullptr || index >= joints->end.size() || !joints->end[index]) return;
+  const RotaryAngles& end = *joints->end[index];
+  std::optional<RotaryAngles> start = joints->start[index];
+  if (!start && index > 0 && path.moves[index].is_linked) start = joints->end[index - 1];
+  text.add(std::string_view("turns"));
+  for (std::size_t k = 0; k < end.size(); ++k) {
+    const double from = steps_of(start.value_or(end)[k]);
+    text.add(from - kStepsOfTurn * std::floor(from / kStepsOfTurn));
+    text.add(steps_of(end[k]) - from);
+  }
+}
+
 }  // namespace
 
-std::string motion_key(const Toolpath& path, std::size_t index) {
+std::string motion_key(const Toolpath& path, std::size_t index, bool is_by_joints) {
   const Move& move = path.moves[index];
   KeyText text;
   text.add(std::string_view(kind_name(move.kind)));
@@ -49,6 +70,7 @@ std::string motion_key(const Toolpath& path, std::size_t index) {
   if (move.is_covered()) text.add(static_cast<double>(move.cover));
   if (index > 0 && (move.has_start || move.is_linked)) text.add(path.start_of(index));
   text.add(move.end);
+  if (is_by_joints) add_turns(path, index, text);
   if (move.curve_kind == CurveKind::arc) {
     const PathArc& arc = path.arcs[move.curve];
     text.add(std::string_view("arc"));

@@ -14,7 +14,7 @@ CheckedMove checked_move(const ReportModel& model, const Event& event, std::size
   if (verdict.state != MoveState::gouge || !verdict.witness || verdict.witness->body != event.body ||
       verdict.witness->against != event.against)
     return made;
-  made.motion = motion_key(*model.toolpath, move);
+  made.motion = motion_key(*model.toolpath, move, model.options.law.is_by_axes(model.toolpath->moves[move]));
   made.depth_mm = verdict.depth_mm;
   made.depth_upper_mm = verdict.depth_upper_mm;
   if (verdict.overcut) made.overcut_mm = verdict.overcut->lower_mm;

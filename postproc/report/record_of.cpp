@@ -221,7 +221,7 @@ class RecordMaker {
     for (std::size_t first = 0; first < path_.moves.size(); first += kMotionsOfText) {
       std::string& text = texts.emplace_back();
       const std::size_t end = std::min(first + kMotionsOfText, path_.moves.size());
-      for (std::size_t move = first; move < end; ++move) text.append(motion_key(path_, move), 0, kListedMotionDigits);
+      for (std::size_t move = first; move < end; ++move) text.append(motion(move), 0, kListedMotionDigits);
     }
     return texts;
   }
@@ -257,6 +257,10 @@ class RecordMaker {
     return record;
   }
 
+  [[nodiscard]] std::string motion(std::size_t move) const {
+    return motion_key(path_, move, model_.options.law.is_by_axes(path_.moves[move]));
+  }
+
   /// Returns the statement of a move without its line end, cut after 2000 bytes; empty if it is no text.
   [[nodiscard]] std::string statement(const Move& move) const {
     constexpr std::size_t kMaxBytes = 2000;
@@ -290,7 +294,7 @@ class RecordMaker {
     record.tool = tool_key(path_, move.tool);
     record.operation = operation_name(path_, move.operation);
     record.statement = statement(move);
-    record.motion = motion_key(path_, i);
+    record.motion = motion(i);
     record.state = verdict.state;
     if (verdict.state != MoveState::buried && verdict.state != MoveState::not_checked) {
       record.depth_mm = finite(verdict.depth_mm);

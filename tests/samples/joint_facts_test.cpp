@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "tests/samples/box_stl.h"
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/small_shop.h"
 
-// Facts of joints on the command line, in project files and in results.
+// Facts of joints on the command line, in project files and in results, and motions that differ in their joints alone.
 
 namespace gouge::testing_samples::joint_facts_test {
 namespace {
@@ -145,6 +149,69 @@ TEST_F(Intervals, OfPointsAddToTheTipTolerance) {
   expect_verified();
   const Outcome shown = run_gougecheck(sample_.path, {"machine", "show", "machine.json"});
   EXPECT_NE(shown.out.find("through (0, 0, 0) mm, to within 0.02 mm"), std::string::npos) << shown.out;
+}
+
+/// A table whose joint C turns back at 350 degrees, and two posts beside the tool. The deeper gouge is in the first.
+class TurnedTable : public testing::Test {
+ protected:
+  TurnedTable() {
+    shop_.write("machine.json", R"({"name": "table", "source": "test", "unit": "mm", "joints": [
+      {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "point": [0, 0, 0], "min": -10.001, "max": 350.5},
+      {"name": "A", "type": "rotary", "side": "table", "direction": [0, 1, 0], "point": [0, 0, 0], "min": 0, "max": 100},
+      {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
+      {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+      {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}],
+      "control": {"name": "c", "feed_law": "axis", "rapid_law": "axis", "source": "test"}})");
+    shop_.write("tools.json", R"({"units": "mm", "tools": [
+      {"number": 1, "name": "ball", "cutter": {"shape": "ball", "diameter": 8, "length": 60}}]})");
+    shop_.write("deep.stl", box_stl({17.67, -7.82, 0.5}, {25.67, 0.18, 62}));
+    shop_.write("shallow.stl", box_stl({-24, -2, 0.5}, {-20, 2, 62}));
+  }
+
+  /// A position with the tool inclined by 30 degrees to the side of an angle.
+  static std::string station(double z, double around) {
+    const double angle = around * std::numbers::pi / 180, sine = 0.5;
+    std::string text = "GOTO/0,0," + std::to_string(z);
+    for (const double part : {sine * std::cos(angle), sine * std::sin(angle), std::sqrt(1 - sine * sine)})
+      text += "," + std::to_string(part);
+    return text + "\n";
+  }
+  /// The move from -10 to 10 degrees at z = 30, after positions above at these angles.
+  static std::string path_after(const std::vector<double>& angles) {
+    std::string text = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nFEDRAT/MMPM,500\n";
+    for (const double angle : angles) text += station(120, angle);
+    return text + station(120, -10) + station(30, -10) + station(30, 10) + station(120, 10) + "FINI\n";
+  }
+  [[nodiscard]] Outcome check(const std::string& path, std::vector<std::string> more) const {
+    shop_.write("path.apt", path);
+    std::vector<std::string> words = {"check",       "path.apt", "--machine",   "machine.json", "--part",
+                                      "deep.stl",    "--part",   "shallow.stl", "--tools",      "tools.json",
+                                      "--no-config", "--assume", "placement"};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop_.run(words);
+  }
+
+  const SmallShop shop_;
+  const std::vector<double> round_ = {0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330, 349};
+};
+
+TEST_F(TurnedTable, AnAcceptanceOfOneWayIsNoneOfTheOtherWay) {
+  const Outcome first = check(path_after({}), {"--json", "first.json"});
+  ASSERT_EQ(first.exit_status, 1) << first.out << first.err;
+  const Outcome accepted =
+      shop_.run({"accept", "first.json", "--all", "--reason", "test", "--reviewer", "me", "-o", "accepted.json"});
+  ASSERT_EQ(accepted.exit_status, 0) << accepted.out << accepted.err;
+  const auto with_baseline = [&](const std::string& path) { return check(path, {"--baseline", "accepted.json"}); };
+  EXPECT_EQ(with_baseline(path_after({})).exit_status, 0) << "the same program";
+  EXPECT_EQ(with_baseline(path_after({30})).exit_status, 0) << "the same motions after another one";
+  const Outcome back = with_baseline(path_after(round_));
+  EXPECT_EQ(back.exit_status, 1) << "C turns back from 350 to 10 degrees" << back.out << back.err;
+}
+
+TEST_F(TurnedTable, AVerificationRecomputesTheMotions) {
+  ASSERT_EQ(check(path_after(round_), {"--json", "check.json"}).exit_status, 1);
+  const Outcome verified = shop_.run({"verify", "check.json"});
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(AcceptFinding, HoldsEachMotionWithItsDepth) {
   EXPECT_EQ(made->finding, "0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2");
   EXPECT_EQ(made->setup.tool, "ball 10");
   ASSERT_EQ(made->moves.size(), 2U);
-  EXPECT_EQ(made->moves[0].motion, motion_key(report.path, 1));
+  EXPECT_EQ(made->moves[0].motion, motion_key(report.path, 1, false));
   EXPECT_EQ(made->moves[1].depth_mm, 0.3333);
   EXPECT_EQ(made->moves[1].depth_upper_mm, 0.3338);
   EXPECT_EQ(made->moves[0].passes, 1U);
