@@ -275,6 +275,7 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
   const std::size_t line = path.moves[problem.move].line;
   switch (problem.kind) {
     case JointProblem::Kind::unreachable:
+    case JointProblem::Kind::in_plane:
       return make_warning("machine-unreachable", problem_text(machine, problem), path.file, line);
     case JointProblem::Kind::limit:
       return make_warning("machine-limit", problem_text(machine, problem), path.file, line);
@@ -340,6 +341,8 @@ std::string open_reason(const Machine& machine, const JointProblem& problem, con
              joint_value_text(joint, problem.limit);
     case JointProblem::Kind::unreachable:
       return "the machine cannot be there: " + message;
+    case JointProblem::Kind::in_plane:
+      return "the limits of the machine are not compared: " + message;
     case JointProblem::Kind::undecided:
       return "the motion of the machine is undecided: joint " + joint.name +
              " may turn either way; add a position between, or set limits";

@@ -67,6 +67,12 @@ JointRuns runs_between(const Machine& machine, const Vec3& from, const Vec3& to,
   return runs;
 }
 
+/// Returns whether the poses at both ends determine the linear joints.
+bool are_determined(const Machine& machine, const AngleRange& angles) {
+  return linear_spread(machine, angles.from) >= kMinLinearSpread &&
+         linear_spread(machine, angles.to) >= kMinLinearSpread;
+}
+
 /// All joints run. Bounds: docs/method/machine.md, "The laws joint and independent".
 class ChainRun : public AxisPath, public TipPath {
  public:
@@ -173,6 +179,11 @@ std::shared_ptr<const AxisPath> JointLaw::of_move(const Toolpath* path, std::siz
     const bool is_line = timing_ == JointTiming::together || from.tip == to.tip;
     return from.axis == to.axis && is_line ? standing_at(from.axis) : nullptr;
   }
+  if (!are_determined(*machine_, *angles)) {
+    // A tool that stands needs no values of linear joints.
+    const bool stands = from.tip == to.tip && from.axis == to.axis && angles->from == angles->to;
+    return stands ? standing_with(tool_axes(*machine_, angles->to)) : nullptr;
+  }
   JointRuns runs = runs_between(*machine_, from.tip, to.tip, *angles, *length_mm);
   if (timing_ == JointTiming::independent && arrive_independently(*machine_, runs) != nullptr) return nullptr;
   if (timing_ == JointTiming::unknown && several_move(*machine_, runs)) return nullptr;
@@ -188,6 +199,8 @@ std::string JointLaw::why_open(const Toolpath& path, std::size_t index) const {
   if (!length_mm && tool_length_mm_)
     return "the length of one tool is stated, and the path has " + std::to_string(path.tools.size());
   if (!length_mm) return "the length from the gauge point to the tip is not stated";
+  if (!are_determined(*machine_, *angles))
+    return "the linear joints lie nearly in one plane at an end of the move, so that their values are not determined";
   JointRuns runs = runs_between(*machine_, from.tip, move.end.tip, *angles, *length_mm);
   if (move.curve_kind != CurveKind::none) {
     if (timing_ != JointTiming::together) return "no manual states how joints run along a curve at their own rates";

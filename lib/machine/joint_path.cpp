@@ -231,6 +231,8 @@ static int decimals_apart(const Joint& joint, double a, double b) {
 std::string problem_text(const Machine& machine, const JointProblem& problem) {
   const Joint& joint = machine.joints[problem.joint];
   if (problem.kind == Kind::unreachable) return "no position of the rotary joints gives this tool axis";
+  if (problem.kind == Kind::in_plane)
+    return "the linear joints lie nearly in one plane there, so that their values are not determined";
   if (problem.kind == Kind::undecided)
     return "joint " + joint.name + " may turn by " + joint_value_text(joint, problem.value) +
            " or another way that is equally near; add a position between, or set limits";

@@ -16,7 +16,8 @@ struct JointProblem {
     limit,        ///< angles exist, but none within the limits
     flip,         ///< the rotary joints turn by much more than the tool axis
     undecided,    ///< two turns are equally near, so that the control may run either
-    unwind        ///< the nearest turn is beyond a limit, so that a joint turns back by a whole turn
+    unwind,       ///< the nearest turn is beyond a limit, so that a joint turns back by a whole turn
+    in_plane      ///< the linear joints lie nearly in one plane, so that their values are not determined
   };
   Kind kind = Kind::limit;
   std::size_t move = 0;
@@ -28,7 +29,7 @@ struct JointProblem {
 /// Returns a value of a joint as text: "31 degrees", "250 mm".
 [[nodiscard]] std::string joint_value_text(const Joint& joint, double value, int decimals = 3);
 /// Returns a problem of one position as text: "joint A would be at 31 degrees; its limit is 30 degrees". Requires a
-/// kind of a position: unreachable, limit or undecided.
+/// kind of a position: unreachable, limit, undecided or in_plane.
 [[nodiscard]] std::string problem_text(const Machine& machine, const JointProblem& problem);
 
 struct JointChoice {

@@ -114,6 +114,7 @@ std::optional<JointProblem> JointReach::find_linear_problem(std::size_t move, co
   linear_.examine(move, tip, angles, gauge_length_of_move(path_, move, tool_length_mm_), limits);
   if (limits.problems.empty()) return std::nullopt;
   JointProblem problem = limits.problems.front();
+  if (problem.kind == JointProblem::Kind::in_plane) return problem;
   const Joint& joint = machine_.joints[problem.joint];
   problem.limit = joint.max && problem.value > *joint.max - 2 * kDigit_mm ? *joint.max : *joint.min;
   return problem;

@@ -85,4 +85,17 @@ JointValues inverse(const Machine& machine, const Vec3& tip, const RotaryAngles&
   return joints;
 }
 
+double linear_spread(const Machine& machine, const RotaryAngles& angles) {
+  Eigen::Matrix3d carried = Eigen::Matrix3d::Identity(), directions;
+  std::size_t rotary = 0;
+  Eigen::Index linear = 0;
+  for (const Joint& joint : machine.joints) {
+    if (is_rotary(joint))
+      carried = carried * turned(joint.direction, angles[rotary++]);
+    else
+      directions.col(linear++) = carried * joint.direction;
+  }
+  return std::abs(directions.determinant());
+}
+
 }  // namespace gouge

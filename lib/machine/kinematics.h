@@ -38,4 +38,11 @@ using JointValues = std::vector<double>;
 [[nodiscard]] JointValues inverse(const Machine& machine, const Vec3& tip, const RotaryAngles& angles,
                                   double tool_length_mm);
 
+/// Returns the volume of the directions of the linear joints at these rotary angles: 1 if they are square, 0 in one plane.
+/// Rotary joints between linear ones change it.
+[[nodiscard]] double linear_spread(const Machine& machine, const RotaryAngles& angles);
+/// Below this spread the values of the linear joints are not determined: the digits of a file move them more than 100 times
+/// as far. It is the sine of 0.6 degrees.
+inline constexpr double kMinLinearSpread = 0.01;
+
 }  // namespace gouge

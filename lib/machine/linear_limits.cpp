@@ -42,6 +42,10 @@ LinearLimitTest::LinearLimitTest(const Machine& machine) : machine_(machine), ot
 
 void LinearLimitTest::examine(std::size_t move, const Vec3& tip, const RotaryAngles& angles,
                               const std::optional<double>& stated_mm, LinearLimits& limits) const {
+  if (linear_spread(machine_, angles) < kMinLinearSpread) {
+    limits.problems.push_back({JointProblem::Kind::in_plane, move, machine_.linear[0], 0, 0});
+    return;
+  }
   const double length_mm = stated_mm.value_or(0);
   const JointValues values = inverse(machine_, tip, angles, length_mm);
   std::vector<JointValues> possible;

@@ -9,7 +9,7 @@
 namespace gouge {
 
 struct LinearLimits {
-  std::vector<JointProblem> problems;  ///< kind `limit`, in path order; value and limit in mm
+  std::vector<JointProblem> problems;  ///< kind `limit` in mm, or `in_plane`; in path order
   /// Joints of Machine::joints whose limits are not checked. Their values depend on the tool length or on the point of a rotary
   /// joint, which is not known.
   std::vector<std::size_t> open;

@@ -214,5 +214,32 @@ TEST_F(TurnedTable, AVerificationRecomputesTheMotions) {
   EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
 }
 
+TEST(LinearJoints, InOnePlaneLeaveAMoveOpenByTheLawsOfAllJoints) {
+  const SmallShop shop;
+  shop.write("machine.json", R"({"name": "X under C", "source": "test", "unit": "mm", "joints": [
+    {"name": "X", "type": "linear", "side": "table", "direction": [1, 0, 0]},
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "point": [0, 0, 0], "min": -360, "max": 360},
+    {"name": "A", "type": "rotary", "side": "table", "direction": [1, 0, 0], "point": [0, 0, 0], "min": -100, "max": 100},
+    {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+    {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}],
+    "control": {"name": "c", "feed_law": "joint", "rapid_law": "joint", "source": "test"}})");
+  shop.write("part.stl", box_stl({500, 500, 0}, {510, 510, 10}));
+  const std::string apart = "GOTO/20,0,30,0,0.5,0.866025404\n", in_plane = "GOTO/0,20,30,-0.5,0,0.866025404\n",
+                    beyond = "GOTO/0,20,30,-0.469846310,-0.171010072,0.866025404\n";
+  const std::string head = "UNITS/MM\nMULTAX/ON\nCUTTER/4\nLOADTL/1\nFEDRAT/MMPM,500\n";
+  const auto check = [&](const std::string& law, const std::string& positions) {
+    shop.write("path.apt", head + positions + "FINI\n");
+    return shop.run({"check", "path.apt", "--part", "part.stl", "--machine", "machine.json", "--feed-law", law,
+                     "--rapid-law", law, "--no-config", "--assume", "placement"});
+  };
+  const Outcome open = check("joint", apart + in_plane);
+  EXPECT_EQ(open.exit_status, 4) << open.out << open.err;
+  EXPECT_NE(open.out.find("nearly in one plane"), std::string::npos) << open.out;
+  const Outcome across = check("joint", apart + beyond);
+  EXPECT_EQ(across.exit_status, 0) << across.out << across.err;
+  const Outcome on_line = check("vector", apart + in_plane);
+  EXPECT_EQ(on_line.exit_status, 0) << "the law states the motion without joints" << on_line.out << on_line.err;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples::joint_facts_test
