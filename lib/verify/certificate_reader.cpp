@@ -15,12 +15,13 @@ Outcome CertificateReader::read_header(const CertificateHeader& expected) {
   const std::string bytes = stream_.take(size);
   if (bytes.size() != size) return cut_short();
   const CertificateHeader found = header_of(bytes);
-  if (found.inputs != expected.inputs)
-    return invalid(
-        "it proves something about other inputs; expected the certificate that was written with this result");
+  // The inputs include the turns of joints that the law uses, so a wrong law is named first.
   if (found.law != expected.law)
     return invalid("it proves the motion by the law '" + found.law + "'; expected the law of this result, '" +
                    expected.law + "'");
+  if (found.inputs != expected.inputs)
+    return invalid(
+        "it proves something about other inputs; expected the certificate that was written with this result");
   const bool has_same_stock = !expected.stock || (is_alike(found.stock->tolerance_mm, expected.stock->tolerance_mm) &&
                                                   is_alike(found.stock->resolution_mm, expected.stock->resolution_mm));
   if (found.moves == expected.moves && found.part_triangles == expected.part_triangles &&
