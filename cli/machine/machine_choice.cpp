@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 
+#include "cli/machine/start_notes.h"
 #include "cli/values/parse_lengths.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -372,6 +373,7 @@ Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const
   }
   std::ranges::move(describe_problems(machine, path, choice.problems), std::back_inserter(notes));
   if (are_stated) leave_vectors_unchecked(law, is_turn_needed, path);
+  if (!are_stated) std::ranges::move(describe_other_starts(machine, law, path), std::back_inserter(notes));
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     if (!path.moves[i].has_start) continue;
     const std::string open = law.why_open(path, i);

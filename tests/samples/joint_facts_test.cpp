@@ -214,6 +214,20 @@ TEST_F(TurnedTable, AVerificationRecomputesTheMotions) {
   EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
 }
 
+TEST_F(TurnedTable, ANoteNamesAnotherStartThatEndsAtALimit) {
+  const auto result_of = [&](const std::string& path, std::vector<std::string> more) {
+    more.insert(more.end(), {"--json", "start.json"});
+    static_cast<void>(check(path, more));
+    return shop_.read("start.json");
+  };
+  const auto has_note = [](const std::string& result) { return result.find("\"machine-start\"") != std::string::npos; };
+  const std::string result = result_of(path_after({}), {});
+  EXPECT_TRUE(has_note(result)) << result;
+  EXPECT_NE(result.find("joint C begins at -10 degrees; its limits also permit 350 degrees"), std::string::npos);
+  EXPECT_FALSE(has_note(result_of(path_after(round_), {}))) << "360 degrees are beyond the limit";
+  EXPECT_FALSE(has_note(result_of(path_after({}), {"--feed-law", "vector", "--rapid-law", "vector"})));
+}
+
 TEST(LinearJoints, InOnePlaneLeaveAMoveOpenByTheLawsOfAllJoints) {
   const SmallShop shop;
   shop.write("machine.json", R"({"name": "X under C", "source": "test", "unit": "mm", "joints": [
