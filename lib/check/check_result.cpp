@@ -75,7 +75,8 @@ void count_states(CheckResult& result) {
 }  // namespace
 
 std::span<const FurtherContact> CheckResult::further_of(std::size_t move) const {
-  const auto [first, last] = std::ranges::equal_range(further, move, {}, &FurtherContact::move);
+  const auto first = std::ranges::lower_bound(further, move, {}, &FurtherContact::move);
+  const auto last = std::ranges::upper_bound(further, move, {}, &FurtherContact::move);
   return {first, last};
 }
 

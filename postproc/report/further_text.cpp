@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
+#include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -38,7 +40,7 @@ std::vector<FurtherContact> further_of(const CheckResult& result, const Event& e
   if (event.state != MoveState::gouge) return worst;
   const auto first = std::ranges::lower_bound(result.further, event.first_move, {}, &FurtherContact::move);
   const auto last = std::ranges::upper_bound(result.further, event.last_move, {}, &FurtherContact::move);
-  for (const FurtherContact& contact : std::ranges::subrange(first, last)) {
+  for (const FurtherContact& contact : std::span(first, last)) {
     const auto same = std::ranges::find_if(
         worst, [&](const FurtherContact& one) { return one.body == contact.body && one.against == contact.against; });
     if (same == worst.end()) {
