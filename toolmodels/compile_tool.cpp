@@ -94,16 +94,30 @@ struct GrownBodies {
   }
 };
 
+/// Compiles unions of bodies of one tool. The last error is kept.
+class UnionCompiler {
+ public:
+  UnionCompiler(const ToolAssembly& tool, const Growth& growth) : name_(label(tool)), is_swept_(growth.is_swept) {}
+
+  [[nodiscard]] CompiledTool operator()(const std::vector<OffsetBody>& bodies) {
+    const Result<Profile> united = unite(bodies);
+    if (united) return compile_tool(name_, is_swept_ ? cut_at_turns(*united) : *united);
+    error_ = united.error();
+    error_->message = "tool " + name_ + ": " + error_->message;
+    return {};
+  }
+  [[nodiscard]] const std::optional<Diagnostic>& error() const { return error_; }
+
+ private:
+  std::string name_;
+  bool is_swept_;
+  std::optional<Diagnostic> error_;
+};
+
 Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& bodies, const Growth& growth) {
   const GrownBodies grown(bodies, growth);
   const Profile none;
-  std::optional<Diagnostic> error;
-  const auto compiled = [&](const std::vector<OffsetBody>& offset) {
-    const Result<Profile> united = unite(offset);
-    if (united) return compile_tool(label(tool), growth.is_swept ? cut_at_turns(*united) : *united);
-    error = united.error();
-    return CompiledTool{};
-  };
+  UnionCompiler compiled(tool, growth);
   const bool has_shank = growth.shank_clearance_mm > 0, has_holder = growth.holder_clearance_mm > 0;
   ToolVariants variants;
   variants.bare = compiled({grown.bare_cutter, grown.bare_shank, grown.bare_holder});
@@ -117,30 +131,28 @@ Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& b
   const bool is_alone = grown.bare_shank.profile->elements.empty() && grown.bare_holder.profile->elements.empty();
   variants.cutting = is_alone ? variants.against_part : compiled({grown.cutter_with_stock});
   variants.non_cutting = compiled({grown.offset_shank, grown.offset_holder});
-  if (error) {
-    error->message = "tool " + label(tool) + ": " + error->message;
-    return *error;
-  }
+  if (compiled.error()) return *compiled.error();
   return variants;
 }
 
-Result<AloneVariants> alone_variants(const ToolAssembly& tool, const BodyProfiles& bodies, const Growth& growth) {
-  std::optional<Diagnostic> error;
-  const auto alone = [&](const OffsetBody& body) {
-    const Result<Profile> closed = unite({body});
-    if (!closed) error = closed.error();
-    return std::make_shared<const CompiledTool>(
-        closed ? compile_tool(label(tool), growth.is_swept ? cut_at_turns(*closed) : *closed) : CompiledTool{});
-  };
+Result<AloneVariants> alone_variants(const ToolAssembly& tool, const BodyProfiles& bodies, const Growth& growth,
+                                     const CompiledTool& cutting) {
+  constexpr auto kCutter = static_cast<std::size_t>(Body::cutter), kShank = static_cast<std::size_t>(Body::shank),
+                 kHolder = static_cast<std::size_t>(Body::holder);
+  UnionCompiler compiled(tool, growth);
+  const auto alone = [&](const OffsetBody& body) { return std::make_shared<const CompiledTool>(compiled({body})); };
   const GrownBodies grown(bodies, growth);
+  const auto cutter_with_stock = std::make_shared<const CompiledTool>(cutting);
   AloneVariants variants;
-  variants.bare = {alone(grown.bare_cutter), alone(grown.bare_shank), alone(grown.bare_holder)};
+  variants.bare[kCutter] = growth.stock_to_leave_mm > 0 ? alone(grown.bare_cutter) : cutter_with_stock;
+  variants.bare[kShank] = alone(grown.bare_shank);
+  variants.bare[kHolder] = alone(grown.bare_holder);
   variants.against_fixture = variants.bare;
-  if (growth.shank_clearance_mm > 0) variants.against_fixture[1] = alone(grown.offset_shank);
-  if (growth.holder_clearance_mm > 0) variants.against_fixture[2] = alone(grown.offset_holder);
+  if (growth.shank_clearance_mm > 0) variants.against_fixture[kShank] = alone(grown.offset_shank);
+  if (growth.holder_clearance_mm > 0) variants.against_fixture[kHolder] = alone(grown.offset_holder);
   variants.against_part = variants.against_fixture;
-  if (growth.stock_to_leave_mm > 0) variants.against_part[0] = alone(grown.cutter_with_stock);
-  if (error) return make_error(error->code, "tool " + label(tool) + ": " + error->message);
+  variants.against_part[kCutter] = cutter_with_stock;
+  if (compiled.error()) return *compiled.error();
   return variants;
 }
 
@@ -209,7 +221,7 @@ Result<ToolVariants> whole_variants(const ToolAssembly& tool, const Offsets& off
   const Growth growth = growth_of(offsets);
   Result<ToolVariants> variants = variants_of(tool, *bodies, growth);
   if (!variants) return variants;
-  Result<AloneVariants> alone = alone_variants(tool, *bodies, growth);
+  Result<AloneVariants> alone = alone_variants(tool, *bodies, growth, variants->cutting);
   if (!alone) return alone.error();
   variants->alone = std::make_shared<const AloneVariants>(*std::move(alone));
   if (!has_wide || bodies->front().elements.empty()) return variants;
