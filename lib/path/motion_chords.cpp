@@ -33,9 +33,7 @@ double nearest_turn(const Vec3& axis, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-bool is_rapid(const Move& move) { return runs_rapid(move); }
-
-bool is_checked_feed(const Move& move) { return !is_rapid(move) && move.not_checked_reason.empty(); }
+bool is_checked_feed(const Move& move) { return !runs_rapid(move) && move.not_checked_reason.empty(); }
 
 std::vector<MotionChord> chords_of_feeds(const Toolpath& path) {
   std::vector<MotionChord> feeds;
@@ -67,7 +65,7 @@ std::vector<Pose> inner_positions(const Toolpath& path, std::size_t move, std::s
 std::vector<MotionChord> chords_of_rapids(const Toolpath& path) {
   std::vector<MotionChord> rapids;
   for (std::size_t i = 0; i < path.moves.size(); ++i)
-    if (is_rapid(path.moves[i]) && has_known_end(path, i))
+    if (runs_rapid(path.moves[i]) && has_known_end(path, i))
       rapids.push_back({beginning_of(path, i), path.moves[i].end, i});
   return rapids;
 }

@@ -18,8 +18,6 @@ struct MotionChord {
   [[nodiscard]] double length_mm() const { return (to.tip - from.tip).norm(); }
 };
 
-/// Returns whether a move is a rapid, by itself or in a cycle.
-[[nodiscard]] bool is_rapid(const Move& move);
 /// Returns whether a move is a feed that is checked.
 [[nodiscard]] bool is_checked_feed(const Move& move);
 

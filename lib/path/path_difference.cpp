@@ -9,6 +9,7 @@
 #include "lib/path/nearest_feed.h"
 #include "lib/path/path_info.h"
 #include "lib/path/rapid_places.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -152,7 +153,7 @@ MovesLeftOut count_left_out(const Toolpath& path) {
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     if (move.not_checked_reason.empty()) {
-      if (is_rapid(move)) {
+      if (runs_rapid(move)) {
         count(counts.rapids, counts.first_rapid, i);
       } else {
         ++counts.feeds;
@@ -160,7 +161,7 @@ MovesLeftOut count_left_out(const Toolpath& path) {
       continue;
     }
     count(counts.unchecked, counts.first_unchecked, i);
-    if (!is_rapid(move) && counts.first_unchecked_feed == kNone) counts.first_unchecked_feed = i;
+    if (!runs_rapid(move) && counts.first_unchecked_feed == kNone) counts.first_unchecked_feed = i;
   }
   return counts;
 }
