@@ -133,8 +133,8 @@ class Merge {
     return std::nullopt;
   }
 
-  // Finds a file of which the shards read different contents, or which only one of them found, as no single run does. Then some verdicts hold for
-  // another part than others.
+  // Finds a file of which the shards read different contents, or which only one of them found, as no single run does.
+  // Then some verdicts hold for another part than others.
   [[nodiscard]] std::optional<Diagnostic> find_other_content() const {
     const std::optional<TwoContents> two = find_two_contents(results_);
     if (!two) return std::nullopt;

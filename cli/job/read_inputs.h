@@ -15,8 +15,10 @@
 
 namespace gouge {
 
-/// Reads a toolpath and adds its file to `inputs` with that role, and its searches for files beside it to `searches`. Nothing: `errors` has the reasons.
-/// Errors: those of read_long_file, also for a program beside the file, and read_toolpath. path-too-far: a position beyond the reach of the check.
+/// Reads a toolpath and adds its file to `inputs` with that role, and its searches for files beside it to `searches`.
+/// Nothing: `errors` has the reasons.
+/// Errors: those of read_long_file, also for a program beside the file, and read_toolpath. path-too-far: a position beyond
+/// the reach of the check.
 [[nodiscard]] std::optional<Toolpath> read_path_file(const std::string& file, const char* role, std::uint64_t max_bytes,
                                                      const ReadOptions& reading, Progress& progress,
                                                      std::vector<InputFile>& inputs, SearchLog& searches,

@@ -32,8 +32,8 @@ struct ToolDifference {
 [[nodiscard]] std::string name_of(const PathTool& tool);
 
 /// Compares the tool `known` of the library, which is checked, with that of the path. If it is smaller, or ends below a
-/// length that the path states, a gouge of the path's tool could be missed; if it is larger, no gouge is missed. A larger tool removes more stock, so it could miss a
-/// rapid into material.
+/// length that the path states, a gouge of the path's tool could be missed. If it is larger, no gouge is missed. A larger
+/// tool removes more stock, so it could miss a rapid into material.
 [[nodiscard]] ToolDifference compare_tools(const PathTool& tool, const ToolAssembly& known, const Toolpath& path,
                                            const ToolSetUp& set_up);
 

@@ -24,6 +24,10 @@ struct FurtherContact {
   double depth_mm = 0;             ///< depth of the witness in the body alone; 0: it is open whether the body gouges
   double depth_upper_mm = 0;       ///< infinite: there is no bound
   std::optional<Witness> witness;  ///< none: it is open whether the body gouges
+
+  [[nodiscard]] bool is_of_same_pair(const FurtherContact& other) const {
+    return body == other.body && against == other.against;
+  }
 };
 
 /// Clean moves that turn a rotary joint, and how many of them are clean wherever the joints are between their ends.

@@ -57,8 +57,8 @@ class Contacts {
   /// Joins a contact with the other one of its body and obstacle, if there is one.
   void add(FurtherContact&& contact) {
     contact.move = move_;
-    const auto same = std::ranges::find_if(
-        all_, [&](const FurtherContact& one) { return one.body == contact.body && one.against == contact.against; });
+    const auto same =
+        std::ranges::find_if(all_, [&](const FurtherContact& one) { return one.is_of_same_pair(contact); });
     if (same == all_.end()) return all_.push_back(std::move(contact));
     const double upper_mm = std::max(same->depth_upper_mm, contact.depth_upper_mm);
     if (contact.depth_mm > same->depth_mm) *same = std::move(contact);

@@ -54,6 +54,11 @@ std::string overcut_change(double now_mm, double before_mm, LengthUnit unit) {
   return "the overcut is " + depth_text(now_mm, unit) + ", " + depth_text(before_mm, unit) + " before";
 }
 
+/// Appends a sentence to sentences.
+void add_sentence(const std::string& one, std::string& all) {
+  if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
+}
+
 /// Numbers of the motions that make a finding wider.
 struct Widening {
   std::size_t fresh = 0;    ///< the same motion did not gouge before
@@ -72,7 +77,7 @@ struct Widening {
   /// Returns a sentence for each kind; empty if there is none.
   [[nodiscard]] std::string text() const {
     std::string all;
-    const auto add = [&all](const std::string& one) { all += (all.empty() ? "" : "; ") + one; };
+    const auto add = [&all](const std::string& one) { add_sentence(one, all); };
     if (fresh > 0) add(count_text(fresh, "motion gouges", "motions gouge") + " where nothing gouged before");
     if (unknown > 0)
       add(count_text(unknown, "motion gouges", "motions gouge") + " that " + (unknown == 1 ? "was" : "were") +
@@ -100,11 +105,6 @@ struct Stretch {
 
 /// Returns whether the move of a gouge of a part or a fixture meets remaining stock too, or may meet it.
 bool has_stock(const MoveRecord& move) { return move.state == MoveState::gouge && is_text_of_stock_too(move.reason); }
-
-/// Appends a sentence to sentences.
-void add_sentence(const std::string& one, std::string& all) {
-  if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
-}
 
 class FindingJudge {
  public:

@@ -41,8 +41,8 @@ std::vector<FurtherContact> further_of(const CheckResult& result, const Event& e
   const auto first = std::ranges::lower_bound(result.further, event.first_move, {}, &FurtherContact::move);
   const auto last = std::ranges::upper_bound(result.further, event.last_move, {}, &FurtherContact::move);
   for (const FurtherContact& contact : std::span(first, last)) {
-    const auto same = std::ranges::find_if(
-        worst, [&](const FurtherContact& one) { return one.body == contact.body && one.against == contact.against; });
+    const auto same =
+        std::ranges::find_if(worst, [&](const FurtherContact& one) { return one.is_of_same_pair(contact); });
     if (same == worst.end()) {
       worst.push_back(contact);
     } else if (is_worse(contact, *same)) {

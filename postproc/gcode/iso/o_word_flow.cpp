@@ -109,7 +109,7 @@ std::string ProgramRun::o_word_at(std::size_t index, const std::string& label) c
   return found.label == label ? std::move(found.word) : std::string();
 }
 
-bool ProgramRun::may_be_left_out(std::size_t index) const {
+bool ProgramRun::is_deleted(std::size_t index) const {
   return setup_.is_block_delete_on == true && trim_blanks(text_->line(index)).starts_with('/');
 }
 
@@ -119,7 +119,7 @@ const BlockStructures& ProgramRun::o_word_structures() {
   BlockStructures& structures = known->second;
   if (!is_new) return structures;
   for (std::size_t i = text_->begin(); i < text_->end(); ++i) {
-    if (may_be_left_out(i)) continue;
+    if (is_deleted(i)) continue;
     if (const auto word = structure_word_of(o_word_of(text_->line(i)), structures))
       structures.add(text_->number(i), *word);
   }

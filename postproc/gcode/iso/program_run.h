@@ -85,7 +85,8 @@ class ProgramRun {
   [[nodiscard]] bool is_first_block() const;
   /// Returns the subprograms, conditions and loops of the text that runs.
   [[nodiscard]] const BlockStructures& o_word_structures();
-  [[nodiscard]] bool may_be_left_out(std::size_t index) const;
+  /// Returns whether the switch for block delete leaves the block out.
+  [[nodiscard]] bool is_deleted(std::size_t index) const;
   void define_sub(const std::string& label, std::string_view rest);
   [[nodiscard]] std::optional<Sub> find_sub(const std::string& label);
   [[nodiscard]] bool is_in_structure(std::size_t index) const;
