@@ -36,7 +36,7 @@ struct ToolAssembly {
   /// Stick-out of the tool from its lowest extension or holder. The shank above that height is inside, and left out. 0:
   /// extensions and holder stand on the end of the shank.
   double stickout_mm = 0;
-  double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
+  double gauge_length_mm = 0;  ///< tip to gauge line; compared with a stated tool length. 0: not given
   bool cuts = true;            ///< false: it removes no stock, for example a probe
   /// Length of an extension of the cutter above its flutes, with the diameter of their top. Only extended_up sets it;
   /// library files do not contain it.

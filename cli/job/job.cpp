@@ -208,7 +208,8 @@ class JobLoader {
     }
     Result<ResolvedTools> resolved =
         resolve_tools(job_.toolpath, library ? &*library : nullptr, arguments_.tool_names, arguments_.holder,
-                      arguments_.stock.empty() ? ToolUse::finds_gouges : ToolUse::removes_stock);
+                      arguments_.stock.empty() ? ToolUse::finds_gouges : ToolUse::removes_stock,
+                      {job_.options.tool_length_mm, job_.options.tool_length_slack_mm});
     if (!resolved) return errors_.push_back(resolved.error());
     const bool is_any_defined =
         std::ranges::any_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); });

@@ -167,6 +167,10 @@ gouge::ToolUse use_of_tools(const CheckOptions& options) {
   return options.stock ? gouge::ToolUse::removes_stock : gouge::ToolUse::finds_gouges;
 }
 
+gouge::GaugeLength length_of_tool(const CheckOptions& options) {
+  return {options.tool_length, options.tool_length_slack};
+}
+
 CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
                       const CheckOptions& options, UnderstoodCheck understood) {
   gouge::SetupBasis basis = basis_of(scene, *tools, options);
@@ -272,7 +276,9 @@ CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, cons
   tools->variants.assign(toolpath.tools.size(), compile(assembly, understood.options, has_wide));
   tools->facts.assign(toolpath.tools.size(), facts_of(assembly));
   tools->assemblies.assign(toolpath.tools.size(), assembly);
-  tools->assumptions = value_or_raise(gouge::resolve_given(toolpath, assembly, use_of_tools(options))).assumptions;
+  tools->assumptions =
+      value_or_raise(gouge::resolve_given(toolpath, assembly, use_of_tools(options), length_of_tool(options)))
+          .assumptions;
   return completed(std::move(named), scene, std::move(tools), options, std::move(understood));
 }
 
@@ -281,7 +287,8 @@ CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& lib
   UnderstoodCheck understood = understand(options);
   const gouge::ToolLibrary* const given =
       library.content().library.tools.empty() ? nullptr : &library.content().library;
-  gouge::ResolvedTools resolved = value_or_raise(gouge::resolve_tools(toolpath, given, {}, {}, use_of_tools(options)));
+  gouge::ResolvedTools resolved =
+      value_or_raise(gouge::resolve_tools(toolpath, given, {}, {}, use_of_tools(options), length_of_tool(options)));
   auto tools = std::make_shared<PathTools>();
   for (const auto& assembly : resolved.assemblies) {
     tools->variants.emplace_back();

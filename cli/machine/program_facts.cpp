@@ -43,19 +43,27 @@ std::optional<std::pair<std::string, WorkOffset>> parse_offset(const std::string
   return std::pair{name, offset};
 }
 
-/// The tool and the length of a row; none: it is of another form.
-std::optional<std::pair<int, double>> parse_csv_row(std::string_view line) {
+/// A row of a table of tools.
+struct ToolRow {
+  int tool = 0;
+  double length_mm = 0;
+  double diameter_mm = 0;  ///< 0: not stated
+};
+
+/// Returns a row of CSV; none: it is of another form.
+std::optional<ToolRow> parse_csv_row(std::string_view line) {
   const std::vector<std::string> parts = split_text(std::string(line), ',');
   if (parts.size() != 2) return std::nullopt;
   const auto tool = parse_integer(trim_blanks(parts[0]));
   const auto length = parse_number(trim_blanks(parts[1]));
   if (!tool || *tool < 0 || *tool > 1'000'000 || !length) return std::nullopt;
-  return std::pair{static_cast<int>(*tool), *length};
+  return ToolRow{static_cast<int>(*tool), *length};
 }
 
-std::optional<std::pair<int, double>> parse_table_row(std::string_view line) {
+/// Returns a row of a tool table of LinuxCNC; none: it is of another form.
+std::optional<ToolRow> parse_table_row(std::string_view line) {
   std::optional<long long> tool;
-  double length = 0;
+  double length = 0, diameter = 0;
   bool is_sideways = false;
   for (const std::string& word : split_text(std::string(line), ' ')) {
     if (word.empty()) continue;
@@ -63,16 +71,18 @@ std::optional<std::pair<int, double>> parse_table_row(std::string_view line) {
     std::string_view value = std::string_view(word).substr(1);
     if (value.starts_with('+')) value.remove_prefix(1);
     if (letter == 'T') tool = parse_integer(value);
-    if (std::string_view("XYZABCUVW").find(letter) == std::string_view::npos) continue;
+    if (std::string_view("XYZABCUVWD").find(letter) == std::string_view::npos) continue;
     const auto number = parse_number(value);
     if (!number) return std::nullopt;
     if (letter == 'Z')
       length = *number;
+    else if (letter == 'D')
+      diameter = std::max(*number, 0.0);
     else
       is_sideways = is_sideways || std::abs(*number) > 0;
   }
   if (!tool || *tool < 0 || *tool > 1'000'000) return std::nullopt;
-  return std::pair{static_cast<int>(*tool), is_sideways ? kSidewaysLength : length};
+  return ToolRow{static_cast<int>(*tool), is_sideways ? kSidewaysLength : length, diameter};
 }
 
 Diagnostic wrong_value(const std::string& option, const std::string& typed, const std::string& expected) {
@@ -123,10 +133,10 @@ Result<ProgramSetup> understand_program(const StatedProgram& stated, const Progr
   return setup;
 }
 
-Result<std::map<int, double>> parse_tool_lengths(const std::string& file, std::string_view text) {
+Result<ToolTable> parse_tool_lengths(const std::string& file, std::string_view text) {
   text = without_byte_order_mark(text);
   if (is_heidenhain_tool_table(text)) return read_heidenhain_tool_table(file, text);
-  std::map<int, double> lengths;
+  ToolTable table;
   std::optional<bool> is_csv;
   std::size_t number = 0;
   while (!text.empty()) {
@@ -149,12 +159,13 @@ Result<std::map<int, double>> parse_tool_lengths(const std::string& file, std::s
           "'" + std::string(line.substr(0, 40)) +
               "' is no row of lengths; expected CSV with the heading tool,length, or rows such as T1 Z120",
           file, number);
-    if (!lengths.insert(*row).second)
-      return make_error("tool-lengths", "tool " + std::to_string(row->first) + " occurs twice; expected each tool once",
+    if (row->diameter_mm > 0) table.diameters_mm[row->tool] = row->diameter_mm;
+    if (!table.lengths_mm.emplace(row->tool, row->length_mm).second)
+      return make_error("tool-lengths", "tool " + std::to_string(row->tool) + " occurs twice; expected each tool once",
                         file, number);
   }
-  if (lengths.empty()) return make_error("tool-lengths", "holds no length of a tool", file);
-  return lengths;
+  if (table.lengths_mm.empty()) return make_error("tool-lengths", "holds no length of a tool", file);
+  return table;
 }
 
 }  // namespace gouge

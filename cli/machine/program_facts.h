@@ -36,10 +36,10 @@ struct ProgramOptionNames {
 [[nodiscard]] Result<ProgramSetup> understand_program(const StatedProgram& stated,
                                                       const ProgramOptionNames& names = {});
 
-/// Reads lengths of tools: CSV with the heading tool,length, or a tool table of LinuxCNC with T and Z. In mm. A tool with an
-/// offset of another axis than Z has kSidewaysLength.
+/// Reads lengths of tools: CSV with the heading tool,length, or a tool table of LinuxCNC with T and Z, and its diameters D,
+/// or one of Heidenhain. In mm. A tool with an offset of another axis than Z has kSidewaysLength.
 /// Error: tool-lengths, with the line: a row of another form, a tool twice, or no row.
-/// Source   LinuxCNC, Tool Table: T tool number, Z tool length offset.
-[[nodiscard]] Result<std::map<int, double>> parse_tool_lengths(const std::string& file, std::string_view text);
+/// Source   LinuxCNC, Tool Table: T tool number, Z tool length offset, D tool diameter.
+[[nodiscard]] Result<ToolTable> parse_tool_lengths(const std::string& file, std::string_view text);
 
 }  // namespace gouge

@@ -22,10 +22,11 @@ std::optional<Diagnostic> read_tool_lengths(const ReadingArguments& arguments, s
   Result<std::string> read = read_file(file, max_bytes);
   if (!read) return read.error();
   bytes = std::move(*read);
-  Result<std::map<int, double>> lengths = parse_tool_lengths(file, bytes);
-  if (!lengths) return lengths.error();
+  Result<ToolTable> table = parse_tool_lengths(file, bytes);
+  if (!table) return table.error();
   ProgramSetup setup = options.program ? *options.program : ProgramSetup{};
-  setup.lengths_mm = std::move(*lengths);
+  setup.lengths_mm = std::move(table->lengths_mm);
+  setup.diameters_mm = std::move(table->diameters_mm);
   options.program = std::make_shared<const ProgramSetup>(std::move(setup));
   return std::nullopt;
 }

@@ -45,6 +45,7 @@ class Comparer {
     compare();
     if (tool_.cutter && tool_.cutter->given > 0) compare_above_flutes();
     compare_flutes();
+    compare_gauge_lengths();
     return std::move(difference_);
   }
 
@@ -173,6 +174,23 @@ class Comparer {
     if (stated <= 0 || known <= stated + kReach_mm) return;
     contradict(name_of(tool_) + " has flutes of " + length(stated) + " by the toolpath, and of " + length(known) +
                " by the library, which is what removes stock");
+  }
+
+  // Compares the lengths to the gauge line. The joints follow the stated one, and shank and holder are the library's.
+  void compare_gauge_lengths() {
+    constexpr double kMeasured_mm = 1;
+    const bool is_stated_for_all = !tool_.gauge_length_mm && path_.tools.size() == 1;
+    const std::optional<double> stated = is_stated_for_all ? set_up_.length.mm : tool_.gauge_length_mm;
+    if (!stated || !(known_.gauge_length_mm > 0)) return;
+    const double slack = is_stated_for_all ? set_up_.length.slack_mm : 0;
+    const double gap = std::abs(*stated - known_.gauge_length_mm) - slack;
+    if (gap <= kReach_mm) return;
+    const std::string message = name_of(tool_) + " is " + length(*stated) +
+                                " long to the gauge line by the stated tool length, but " +
+                                length(known_.gauge_length_mm) + " by the library";
+    if (gap > kMeasured_mm) return contradict(message);
+    difference_.warnings.push_back(make_warning(
+        "tool-differs", message + "; its shank and holder are checked as in the library", path_.file, tool_.line));
   }
 
   [[nodiscard]] std::string length(double mm) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,18 @@ enum class ToolUse {
   removes_stock  ///< it can: it also removes material that the smaller tool leaves
 };
 
+/// The length of a tool from its tip to the gauge point of the spindle, as --tool-length states it.
+struct GaugeLength {
+  std::optional<double> mm = {};  ///< none: not stated
+  double slack_mm = 0;            ///< the true length is at most so much longer or shorter
+};
+
 /// The surroundings of a comparison of tools.
 struct ToolSetUp {
   const ToolLibrary& library;
   const std::vector<ToolSegment>& holder;  ///< of tools without one; may be empty
   ToolUse use;
+  GaugeLength length;  ///< of the only tool of a path that states none itself
 };
 
 /// The differences between a tool of the library and that of the path.
@@ -33,7 +41,8 @@ struct ToolDifference {
 
 /// Compares the tool `known` of the library, which is checked, with that of the path. If it is smaller, or ends below a
 /// length that the path states, a gouge of the path's tool could be missed. If it is larger, no gouge is missed. A larger
-/// tool removes more stock, so it could miss a rapid into material.
+/// tool removes more stock, so it could miss a rapid into material. Where both state a length to the gauge line, lengths
+/// that differ by more than 1 mm contradict each other: measured lengths differ by less from those of a library.
 [[nodiscard]] ToolDifference compare_tools(const PathTool& tool, const ToolAssembly& known, const Toolpath& path,
                                            const ToolSetUp& set_up);
 

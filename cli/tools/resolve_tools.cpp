@@ -36,7 +36,8 @@ Diagnostic usage(const std::string& message) { return make_error("usage", messag
 
 class Resolver {
  public:
-  Resolver(const Toolpath& path, const ToolLibrary* library, ToolUse use) : path_(path), library_(library), use_(use) {}
+  Resolver(const Toolpath& path, const ToolLibrary* library, ToolUse use, GaugeLength length)
+      : path_(path), library_(library), use_(use), length_(length) {}
 
   std::optional<Diagnostic> take_name(const std::string& text) {
     const std::size_t equals = text.find('=');
@@ -198,7 +199,7 @@ class Resolver {
       assembly = *known;
       const bool has_own_holder = !assembly->holder.empty();
       if (!has_own_holder) assembly->holder = holder_.segments;
-      ToolDifference difference = compare_tools(tool, *known, path_, {*library_, holder_.segments, use_});
+      ToolDifference difference = compare_tools(tool, *known, path_, {*library_, holder_.segments, use_, length_});
       if (!difference.contradiction.empty()) contradict(difference.contradiction);
       std::ranges::move(difference.warnings, std::back_inserter(result_.notes));
       mark_library_uncertain(tool, *known);
@@ -310,6 +311,7 @@ class Resolver {
   const Toolpath& path_;
   const ToolLibrary* library_;
   ToolUse use_;
+  GaugeLength length_;
   std::map<std::string, const ToolAssembly*> named_;     // by key_of
   std::pair<std::string, const ToolAssembly*> unnamed_;  // the name of the tool for moves without one, and that tool
   const ToolAssembly* every_ = nullptr;  // the tool in place of all tools of the path; null: each has its own
@@ -324,9 +326,9 @@ class Resolver {
 }  // namespace
 
 Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
-                                    const std::vector<std::string>& tool_names, const std::string& holder,
-                                    ToolUse use) {
-  Resolver resolver(path, library, use);
+                                    const std::vector<std::string>& tool_names, const std::string& holder, ToolUse use,
+                                    GaugeLength length) {
+  Resolver resolver(path, library, use, length);
   for (const std::string& name : tool_names) {
     if (const auto error = resolver.take_name(name)) return *error;
   }
@@ -336,11 +338,11 @@ Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* lib
   return resolver.run();
 }
 
-Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool, ToolUse use) {
+Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool, ToolUse use, GaugeLength length) {
   ToolLibrary library;
   library.file = "memory";
   library.tools = {tool};
-  Resolver resolver(path, &library, use);
+  Resolver resolver(path, &library, use, length);
   resolver.take_every(library.tools.front());
   return resolver.run();
 }

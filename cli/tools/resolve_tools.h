@@ -29,13 +29,14 @@ struct ResolvedTools {
 /// removes stock is also contradicted if it is anywhere larger. A name that belongs to another tool of the library
 /// contradicts it too. So does --tool if it names only tools that the path does not load, or if its NAME alone is for
 /// moves without a tool and there are none.
+/// `length`: for compare_tools.
 /// Errors   (1) usage: a --tool or --holder that names nothing. (2) Those of make_profile for a tool of the path.
 [[nodiscard]] Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
                                                   const std::vector<std::string>& tool_names, const std::string& holder,
-                                                  ToolUse use = ToolUse::finds_gouges);
+                                                  ToolUse use = ToolUse::finds_gouges, GaugeLength length = {});
 
 /// Resolves a path in which `tool` takes the place of every tool.
 [[nodiscard]] Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool,
-                                                  ToolUse use = ToolUse::finds_gouges);
+                                                  ToolUse use = ToolUse::finds_gouges, GaugeLength length = {});
 
 }  // namespace gouge

@@ -66,8 +66,16 @@ TEST(ToolLengths, MayBeginWithAByteOrderMark) {
   for (const std::string table : {"tool,length\n6,120.5\n", "T6 Z120.5\n"}) {
     const auto lengths = parse_tool_lengths("lengths.csv", "\xef\xbb\xbf" + table);
     ASSERT_TRUE(lengths) << lengths.error().message;
-    EXPECT_EQ(*lengths, (std::map<int, double>{{6, 120.5}}));
+    EXPECT_EQ(lengths->lengths_mm, (std::map<int, double>{{6, 120.5}}));
   }
+}
+
+TEST(ToolLengths, OfALinuxCncTableStandBesideDiameters) {
+  const auto table = parse_tool_lengths("mill.tbl", "T1 P1 D12.7 Z+80\nT2 P2 Z60\nT3 P3 D-1 Z60\n");
+  ASSERT_TRUE(table) << table.error().message;
+  EXPECT_EQ(table->lengths_mm, (std::map<int, double>{{1, 80}, {2, 60}, {3, 60}}));
+  EXPECT_EQ(table->diameters_mm, (std::map<int, double>{{1, 12.7}}));
+  EXPECT_FALSE(parse_tool_lengths("mill.tbl", "T1 Dx Z80\n"));
 }
 
 }  // namespace

@@ -244,6 +244,9 @@ void KlartextRunner::define_radius(const PathTool& tool, double radius) {
   if (!(diameter_mm >= 0))
     return lose_rest("TOOL DEF states a negative radius of tool " + name + "; expected 0 or more");
   if (!(diameter_mm > 0)) return;  // the program does not use the radius
+  const auto in_table = tool.number ? setup_.diameters_mm.find(*tool.number) : setup_.diameters_mm.end();
+  if (in_table != setup_.diameters_mm.end() && std::abs(in_table->second - diameter_mm) > Tolerance::kFilePoint_mm)
+    return lose_rest("TOOL DEF states another radius of tool " + name + " than the tool table; expected one");
   const auto [known, is_new] = diameters_mm_.emplace(name, diameter_mm);
   if (!is_new && std::abs(known->second - diameter_mm) > Tolerance::kFilePoint_mm)
     return lose_rest("TOOL DEF states two different radii of tool " + name + "; expected one");

@@ -52,7 +52,7 @@ class TableReader {
  public:
   TableReader(const std::string& file, std::string_view text) : file_(file), text_(text) {}
 
-  Result<std::map<int, double>> read() {
+  Result<ToolTable> read() {
     const std::string_view begin = next();
     mm_ = begin.find(" MM") != std::string_view::npos     ? 1
           : begin.find(" INCH") != std::string_view::npos ? mm_per(LengthUnit::inch)
@@ -62,10 +62,12 @@ class TableReader {
     tool_ = find_column(heading, "T");
     length_ = find_column(heading, "L");
     delta_ = find_column(heading, "DL");
+    radius_ = find_column(heading, "R");
+    radius_delta_ = find_column(heading, "DR");
     if (!tool_.is_there() || !length_.is_there()) return wrong("the heading of the table has no T or no L");
     while (!text_.empty()) {
       const std::string_view row = next();
-      if (trim_blanks(row) == kEnd) return lengths_;
+      if (trim_blanks(row) == kEnd) return table_;
       if (trim_blanks(row).empty()) continue;
       if (const std::string reason = take(row); !reason.empty()) return wrong(reason);
     }
@@ -87,9 +89,11 @@ class TableReader {
     if (is_index || length.empty()) return {};  // a further length of a tool, or a place without one
     const auto tool = parse_integer(number);
     const auto stated = cell_value(length), delta = cell_value(delta_.of(row));
-    if (!tool || *tool < 0 || *tool > kMaxTool || !stated || !delta)
+    const auto radius = cell_value(radius_.of(row)), radius_delta = cell_value(radius_delta_.of(row));
+    if (!tool || *tool < 0 || *tool > kMaxTool || !stated || !delta || !radius || !radius_delta)
       return "'" + std::string(row.substr(0, 40)) + "' is no row of the table";
-    const bool is_first = lengths_.emplace(static_cast<int>(*tool), (*stated + *delta) * mm_).second;
+    const bool is_first = table_.lengths_mm.emplace(static_cast<int>(*tool), (*stated + *delta) * mm_).second;
+    if (*radius > 0) table_.diameters_mm[static_cast<int>(*tool)] = 2 * (*radius + *radius_delta) * mm_;
     return is_first ? "" : "tool " + std::to_string(*tool) + " occurs twice; expected each tool once";
   }
 
@@ -97,8 +101,8 @@ class TableReader {
   std::string_view text_;
   std::size_t line_ = 0;
   double mm_ = 1;
-  Column tool_, length_, delta_;
-  std::map<int, double> lengths_;
+  Column tool_, length_, delta_, radius_, radius_delta_;
+  ToolTable table_;
 };
 
 }  // namespace
@@ -109,7 +113,7 @@ bool is_heidenhain_tool_table(std::string_view text) {
   return trim_blanks(line.substr(kBegin.size())).starts_with(kExtension);
 }
 
-Result<std::map<int, double>> read_heidenhain_tool_table(const std::string& file, std::string_view text) {
+Result<ToolTable> read_heidenhain_tool_table(const std::string& file, std::string_view text) {
   return TableReader(file, text).read();
 }
 

@@ -38,6 +38,12 @@ enum class TipFrame : std::uint8_t {
   workpiece  ///< they stand while the table turns
 };
 
+/// A tool table of a control: facts about each tool by its number.
+struct ToolTable {
+  std::map<int, double> lengths_mm;    ///< NaN: kSidewaysLength
+  std::map<int, double> diameters_mm;  ///< of tools for which the table states one
+};
+
 /// Facts about a program that are not in its file. What is absent is not known, and never zero.
 struct ProgramSetup {
   std::string control;                        ///< id of a ControlTable; empty: that of the machine's control
@@ -47,6 +53,7 @@ struct ProgramSetup {
   std::optional<RigidTransform> zero;         ///< maps part coordinates to machine coordinates
   std::map<std::string, WorkOffset> offsets;  ///< by name: "G54", "G54.1P3"
   std::map<int, double> lengths_mm;           ///< length of each tool by its number, and of H; NaN: kSidewaysLength
+  std::map<int, double> diameters_mm;         ///< of tools by their numbers, to be compared with those of a library
   std::optional<double> tool_length_mm;       ///< of every tool
   std::string start;                          ///< blocks in force at the start, in the language of the control
   std::vector<std::string> tip_control_ends;  ///< codes that end tool centre point control: "G255"

@@ -276,8 +276,12 @@ void ProgramMotion::change_tool(const PathTool& tool) {
   tool_ = static_cast<std::size_t>(same - builder_.path.tools.begin());
   if (same == builder_.path.tools.end()) {
     builder_.path.tools.push_back(tool);
+    PathTool& loaded = builder_.path.tools.back();
     const std::optional<double> length = gauge_length_of(tool.number);
-    if (length && !std::isnan(*length)) builder_.path.tools.back().gauge_length_mm = length;
+    if (length && !std::isnan(*length)) loaded.gauge_length_mm = length;
+    const auto diameter = tool.number ? setup_.diameters_mm.find(*tool.number) : setup_.diameters_mm.end();
+    if (diameter != setup_.diameters_mm.end() && !(loaded.stated_diameter_mm > 0))
+      loaded.stated_diameter_mm = diameter->second;
   }
   chain_.break_off();
   chain_.note_loading();

@@ -383,6 +383,30 @@ TEST(ResolveTools, AToolpathThatStatesALongerToolIsContradicted) {
   EXPECT_EQ(fact("10,0", {}, {}).basis, Basis::derived) << "an assumed length states nothing";
 }
 
+TEST(ResolveTools, LengthsToTheGaugeLineThatDifferContradictEachOther) {
+  ToolLibrary library = library_with_holder();
+  library.tools[0].gauge_length_mm = 120;
+  Toolpath path = path_in(LengthUnit::mm);
+  path.moves.emplace_back().tool = 0;
+  const auto resolved = [&](GaugeLength length) {
+    return *resolve_tools(path, &library, {}, "", ToolUse::finds_gouges, length);
+  };
+  const auto basis = [&](GaugeLength length) { return resolved(length).assumptions.front().basis; };
+  EXPECT_EQ(basis({}), Basis::derived);
+  EXPECT_EQ(basis({120}), Basis::derived);
+  EXPECT_EQ(basis({100}), Basis::contradicted);
+  EXPECT_EQ(resolved({100}).assumptions.front().evidence,
+            "T2 is 100 mm long to the gauge line by the stated tool length, but 120 mm by the library");
+  EXPECT_EQ(basis({118, 2}), Basis::derived) << "the interval holds the length of the library";
+  EXPECT_EQ(basis({119.4}), Basis::derived) << "measured";
+  EXPECT_EQ(resolved({119.4}).notes.at(0).code, "tool-differs");
+  path.tools[0].gauge_length_mm = 90;
+  EXPECT_EQ(basis({120}), Basis::contradicted) << "the length of the tool itself";
+  path.tools[0].gauge_length_mm = {};
+  path.tools.emplace_back();
+  EXPECT_EQ(basis({100}), Basis::derived) << "a length for several tools is that of none";
+}
+
 TEST(ResolveTools, ANumberOfSeveralToolsIsUnknownUnlessOneIsNamed) {
   ToolLibrary library = library_with_holder();
   library.shared_numbers = {2};

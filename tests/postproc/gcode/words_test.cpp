@@ -385,13 +385,16 @@ TEST(GcodeWords, OfAToolBesideM6AreOpenOnFanucWhileAnotherToolIsWaiting) {
         << usual;
 }
 
-TEST(GcodeWords, GiveEachToolItsLength) {
+TEST(GcodeWords, GiveEachToolItsLengthAndDiameter) {
   ProgramSetup setup;
   setup.lengths_mm = {{1, 100}, {2, 60}};
+  setup.diameters_mm = {{2, 12}};
   const Toolpath path = path_of_program(program("T2 M6\nG43 H2 G0 X0. Y0.\nZ9.\nG1 X5. F9.\n"), "haas", setup);
   ASSERT_EQ(path.tools.size(), 2U);
   EXPECT_EQ(path.tools[0].gauge_length_mm, 100);
   EXPECT_EQ(path.tools[1].gauge_length_mm, 60);
+  EXPECT_EQ(path.tools[0].stated_diameter_mm, 0);
+  EXPECT_EQ(path.tools[1].stated_diameter_mm, 12);
 }
 
 TEST(GcodeWords, OfNegativeLengthsStateDifferencesAlone) {

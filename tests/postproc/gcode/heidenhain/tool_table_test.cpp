@@ -15,21 +15,31 @@ const std::string kTable =
     "12    BALL             90         +3       +3               \r\n"
     "[END]\r\n";
 
-Result<std::map<int, double>> lengths_of(const std::string& text) { return read_heidenhain_tool_table("tool.t", text); }
+Result<ToolTable> table_of(const std::string& text) { return read_heidenhain_tool_table("tool.t", text); }
 
 TEST(HeidenhainToolTable, HasTheLengthsOfItsTools) {
-  const auto lengths = lengths_of(kTable);
-  ASSERT_TRUE(lengths) << to_text(lengths.error());
-  EXPECT_EQ(lengths->size(), 3U);
-  EXPECT_DOUBLE_EQ(lengths->at(0), 0);
-  EXPECT_DOUBLE_EQ(lengths->at(1), 112.48);
-  EXPECT_DOUBLE_EQ(lengths->at(12), 90);
+  const auto table = table_of(kTable);
+  ASSERT_TRUE(table) << to_text(table.error());
+  EXPECT_EQ(table->lengths_mm.size(), 3U);
+  EXPECT_DOUBLE_EQ(table->lengths_mm.at(0), 0);
+  EXPECT_DOUBLE_EQ(table->lengths_mm.at(1), 112.48);
+  EXPECT_DOUBLE_EQ(table->lengths_mm.at(12), 90);
+}
+
+TEST(HeidenhainToolTable, HasTheDiametersOfItsTools) {
+  std::string text = kTable;
+  text.replace(text.find("-0.02   +0"), 10, "-0.02   -0.1");
+  const auto table = table_of(text);
+  ASSERT_TRUE(table) << to_text(table.error());
+  EXPECT_EQ(table->diameters_mm.size(), 2U);  // a radius of 0 states none
+  EXPECT_DOUBLE_EQ(table->diameters_mm.at(1), 9.8);
+  EXPECT_DOUBLE_EQ(table->diameters_mm.at(12), 6);
 }
 
 TEST(HeidenhainToolTable, IsInItsUnit) {
   std::string text = kTable;
   text.replace(text.find("MM"), 2, "INCH");
-  EXPECT_DOUBLE_EQ(lengths_of(text)->at(12), 90 * 25.4);
+  EXPECT_DOUBLE_EQ(table_of(text)->lengths_mm.at(12), 90 * 25.4);
 }
 
 TEST(HeidenhainToolTable, IsRecognised) {
@@ -43,14 +53,15 @@ TEST(HeidenhainToolTable, IsRefusedWithItsLine) {
   const auto expect_wrong = [](const std::string& from, const std::string& to, std::size_t line) {
     std::string text = kTable;
     text.replace(text.find(from), from.size(), to);
-    const auto lengths = lengths_of(text);
-    ASSERT_FALSE(lengths) << text;
-    EXPECT_EQ(lengths.error().code, "tool-lengths");
-    EXPECT_EQ(lengths.error().line, line);
+    const auto table = table_of(text);
+    ASSERT_FALSE(table) << text;
+    EXPECT_EQ(table.error().code, "tool-lengths");
+    EXPECT_EQ(table.error().line, line);
   };
   expect_wrong(" MM", "", 1);
   expect_wrong(" L ", " X ", 2);
   expect_wrong("+112.5 ", "+11x.5 ", 4);
+  expect_wrong("+5 ", "+5a", 4);
   expect_wrong("12    BALL", "1     BALL", 7);
   expect_wrong("[END]", "", 8);
   expect_wrong("-0.02", "-0,02", 4);
