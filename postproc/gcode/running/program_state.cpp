@@ -266,10 +266,19 @@ void ProgramMotion::settle_length() {
     state_.excess_length_mm = other->second - own->second;
 }
 
+// A change may leave the spindle where it is, because no motion of the machine is certain. The tip of a longer tool is then
+// lower.
+void ProgramMotion::note_height_of_change(const PathTool& next) {
+  const std::optional<Pose>& pose = chain_.last_pose();
+  if (!chain_.is_start_certain() || !pose) return;
+  double lower_mm = 0;
+  const std::optional<double> before = gauge_length_of(tool_number()), after = gauge_length_of(next.number);
+  if (before && after && *after > *before) lower_mm = *after - *before;
+  builder_.path.approaches.push_back({line_, pose->axis, pose->axis.dot(pose->tip) - lower_mm});
+}
+
 void ProgramMotion::change_tool(const PathTool& tool) {
-  // A change may leave the tool where it is: no motion of the machine is certain.
-  if (const std::optional<Pose>& pose = chain_.last_pose(); chain_.is_start_certain())
-    builder_.path.approaches.push_back({line_, pose->axis, pose->axis.dot(pose->tip)});
+  note_height_of_change(tool);
   const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
   if (tool_ == kNone || !is_same(builder_.path.tools[tool_])) ++tools_loaded_;
   const auto same = std::ranges::find_if(builder_.path.tools, is_same);

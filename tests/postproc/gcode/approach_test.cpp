@@ -79,6 +79,18 @@ TEST(GcodeApproach, AToolChangeBeginsAtTheHeightBeforeIt) {
   }
 }
 
+TEST(GcodeApproach, TheTipOfALongerToolIsLowerAfterAChange) {
+  ProgramSetup setup;
+  setup.lengths_mm = {{1, 60}, {2, 100}, {3, 40}};
+  const auto height_at_change = [&](const std::string& tool) {
+    const std::string text = "G21 G90 G17\nT1 M6\nG43 H1\nG0 X0 Y0 Z50\nT" + tool + " M6\nG43 H" + tool +
+                             "\nG0 X20 Y0\nZ50\nG1 X30 F9\nM2\n";
+    return path_of_program(text, "linuxcnc", setup).approaches.at(1).height_mm;
+  };
+  EXPECT_NEAR(height_at_change("2"), 50 - 40, 1e-9);
+  EXPECT_NEAR(height_at_change("3"), 50, 1e-9);
+}
+
 TEST(GcodeApproach, AWholePositionOrAStepIsNoApproach) {
   // The length of H1 on T2 is not known, or the step begins at a height that is not known.
   EXPECT_FALSE(can_be_clean(
