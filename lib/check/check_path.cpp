@@ -71,6 +71,8 @@ class PathChecker {
     if (move.needs_wide_tool() && tools_[move.tool]->wide == nullptr) return of_file();
     if (index == 0 && move.has_start) return {no_start};
     if (!has_its_curve(move)) return {no_curve};
+    const bool may_be_feed = move.kind == MoveKind::feed && runs_rapid(move);
+    if (may_be_feed && options_.law.has_other_rapid(toolpath_, index)) return {rapid_unsure};
     return {move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::skip ? rapid_skipped : none};
   }
 

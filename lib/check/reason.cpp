@@ -21,6 +21,8 @@ struct Text {
 constexpr std::array kTexts{
     Text{Reason::Kind::of_path, "{detail}"},
     Text{Reason::Kind::rapid_skipped, "rapid moves are skipped as asked"},
+    Text{Reason::Kind::rapid_unsure,
+         "whether RAPID is for further positions of its statement is not known, and rapids run differently from feeds"},
     Text{Reason::Kind::no_tool, "no tool is defined before this move"},
     Text{Reason::Kind::tool_undefined, "the tool has no definition"},
     Text{Reason::Kind::no_start, "the path does not hold the position this move starts at"},

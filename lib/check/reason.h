@@ -16,6 +16,7 @@ struct Reason {
     none,
     of_path,  ///< the reason that the reader of the file gives: `detail`
     rapid_skipped,
+    rapid_unsure,  ///< whether the move is a rapid is not known, and rapids run differently
     no_tool,
     tool_undefined,
     no_start,

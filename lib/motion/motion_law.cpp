@@ -53,6 +53,18 @@ Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
   return motion;
 }
 
+bool MotionLaw::has_other_rapid(const Toolpath& toolpath, std::size_t index) const {
+  const Move& move = toolpath.moves[index];
+  if (!move.has_start) return false;
+  const Pose& start = toolpath.start_of(index);
+  const auto named = [](const AxisLaw* axes) { return axes == nullptr ? std::string() : axes->name(); };
+  const AxisLaw *feed = axes_of(move, MoveKind::feed), *rapid = axes_of(move, MoveKind::rapid);
+  const bool is_turning = start.axis != move.end.axis || bends_without_turning();
+  if (is_turning && named(feed) != named(rapid)) return true;
+  const Vec3 step = move.end.tip - start.tip;
+  return rapid_ == RapidMode::dogleg && (step.array() != 0).count() > 1;
+}
+
 std::optional<Motion> MotionLaw::link_of(const Toolpath& toolpath, std::size_t index) const {
   const Move& move = toolpath.moves[index];
   if (move.has_start || !move.is_linked || index == 0) return std::nullopt;

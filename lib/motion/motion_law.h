@@ -71,6 +71,8 @@ class MotionLaw {
   }
   /// Returns true where the axis of a move runs by an AxisLaw.
   [[nodiscard]] bool is_by_axes(const Move& move) const { return axes_of(move) != nullptr; }
+  /// Returns whether a rapid and a feed between the ends of a move without a curve may run differently.
+  [[nodiscard]] bool has_other_rapid(const Toolpath& toolpath, std::size_t move) const;
   /// Names the reason for which the law leaves the motion of a move with a start open; empty: it does not, or opposite axes are the reason.
   [[nodiscard]] std::string why_open(const Toolpath& toolpath, std::size_t move) const;
   /// True where the tip may leave its line while the axis stands.
@@ -100,9 +102,11 @@ class MotionLaw {
     return axes == nullptr && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
   }
   /// Returns the law of a move. No other function decides it.
-  [[nodiscard]] const AxisLaw* axes_of(const Move& move) const {
-    if (!move.runs_joints || joint_feed_axes_ == nullptr) return axes_of(run_kind(move));
-    return runs_rapid(move) ? joint_rapid_axes_.get() : joint_feed_axes_.get();
+  [[nodiscard]] const AxisLaw* axes_of(const Move& move) const { return axes_of(move, run_kind(move)); }
+  /// Returns the law by which a move would run as one of a kind.
+  [[nodiscard]] const AxisLaw* axes_of(const Move& move, MoveKind kind) const {
+    if (!move.runs_joints || joint_feed_axes_ == nullptr) return axes_of(kind);
+    return kind == MoveKind::rapid ? joint_rapid_axes_.get() : joint_feed_axes_.get();
   }
   [[nodiscard]] const AxisLaw* axes_of(MoveKind kind) const {
     return kind == MoveKind::rapid ? rapid_axes_.get() : feed_axes_.get();

@@ -108,6 +108,20 @@ TEST(CheckPath, ADoglegRapidMeetsWhatTheStraightLineMisses) {
   EXPECT_EQ(check(path, tools::ball(4), scene, options).counts.gouge, 1U);
 }
 
+// A further position behind RAPID is a feed that runs as a rapid.
+TEST(CheckPath, AMoveThatMayBeARapidIsCheckedOnlyWhereRapidsRunAsFeeds) {
+  Toolpath path = through({upright(0, 0, 0), upright(40, 10, 0), upright(40, 10, 30)});
+  for (Move& move : path.moves) move.feed_unit = FeedUnit::rapid;
+  const Scene scene{{shapes::moved(shapes::cube(1), Vec3(0, 0, -100))}, {}};
+  CheckOptions options;
+  EXPECT_EQ(check(path, tools::ball(), scene, options).counts.clean, 3U);
+  options.law = RapidMode::dogleg;
+  const CheckResult r = check(path, tools::ball(), scene, options);
+  EXPECT_EQ(r.verdicts[1].state, MoveState::not_checked);
+  EXPECT_TRUE(r.verdicts[1].reason.is(Reason::Kind::rapid_unsure));
+  EXPECT_EQ(r.verdicts[2].state, MoveState::clean) << "along one axis a dogleg is straight";
+}
+
 TEST(CheckPath, FixturesAreCheckedAndNamed) {
   const Scene scene{{shapes::cube(1)}, {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}};
   const CheckResult r = check(through({upright(20, 0, -0.5)}), tools::flat(), scene);
