@@ -14,6 +14,7 @@
 #include "cli/options/joint_options.h"
 #include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
+#include "cli/tools/head_facts.h"
 #include "cli/tools/identities.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/units.h"
@@ -247,6 +248,9 @@ class JobLoader {
     const bool has_tolerances = !arguments_.tip_tolerance.empty() || !arguments_.axis_tolerance.empty();
     if (job_.machine)
       std::ranges::move(machine_facts(*job_.machine, arguments_.machine, job_.options.check.tube, has_tolerances),
+                        std::back_inserter(basis.inputs));
+    if (!job_.heads().empty())
+      std::ranges::move(head_facts(job_.toolpath, job_.assemblies, job_.machine ? job_.machine->name : ""),
                         std::back_inserter(basis.inputs));
     for (const MeshFacts* mesh : meshes()) basis.inputs.push_back(mesh->solid);
     if (!arguments_.stl_units.empty()) basis.mesh_unit = stl_unit();

@@ -7,9 +7,9 @@ namespace gouge {
 namespace {
 
 constexpr std::array<const char*, 5> kBases = {"stated", "derived", "default", "contradicted", "unknown"};
-constexpr std::array<const char*, kSubjects> kNames = {"path-unit",  "dialect", "complete",  "statements", "frame",
-                                                       "motion-law", "machine", "smoothing", "tool",       "holder",
-                                                       "mesh-unit",  "solid",   "placement", "stock"};
+constexpr std::array<const char*, kSubjects> kNames = {"path-unit",  "dialect",   "complete",  "statements", "frame",
+                                                       "motion-law", "machine",   "smoothing", "tool",       "holder",
+                                                       "head",       "mesh-unit", "solid",     "placement",  "stock"};
 
 bool is_vouched(const Assumption& fact, const std::vector<Vouched>& vouched) {
   return std::ranges::any_of(vouched, [&](const Vouched& v) {

@@ -38,15 +38,16 @@ enum class Subject : std::uint8_t {
   smoothing,     ///< the distance by which the control leaves its law of motion; only with a machine
   tool,          ///< the definition of one tool
   holder,        ///< the part of one tool above its flutes
+  head,          ///< turn and place of the bodies that move with the tool; only with heads
   mesh_unit,     ///< unit of the STL files
   solid,         ///< one STL file bounds a solid
   placement,     ///< the part lies where the toolpath expects it
   stock          ///< the material before the path, and what removes it; only with --stock
 };
-inline constexpr std::size_t kSubjects = 14;
+inline constexpr std::size_t kSubjects = 15;
 
 /// Returns the name used by --assume and in reports: "path-unit", "dialect", "complete", "statements", "frame",
-/// "motion-law", "machine", "smoothing", "tool", "holder", "mesh-unit", "solid", "placement", "stock".
+/// "motion-law", "machine", "smoothing", "tool", "holder", "head", "mesh-unit", "solid", "placement", "stock".
 [[nodiscard]] const char* subject_name(Subject subject);
 [[nodiscard]] std::optional<Subject> subject_called(std::string_view name);
 /// Returns all subject names, separated by commas.

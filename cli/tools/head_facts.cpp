@@ -1,0 +1,110 @@
+#include "cli/tools/head_facts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/tools/compare_tools.h"
+#include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
+#include "lib/base/units.h"
+#include "postproc/cldata/language/dialect.h"
+
+namespace gouge {
+namespace {
+
+bool is_always_upright(const Toolpath& path) {
+  return std::ranges::all_of(path.moves, [](const Move& move) { return move.end.axis == Vec3(Vec3::UnitZ()); });
+}
+
+Assumption turn_fact(const Toolpath& path, const std::string& machine) {
+  Assumption fact{.subject = Subject::head, .object = "turn", .code = "head-turn"};
+  fact.file = path.file;
+  if (path.joints != nullptr && path.dialect == gcode_dialect().id) {
+    fact.basis = Basis::stated;
+    fact.value = "by the joints of the program";
+  } else if (!machine.empty()) {
+    fact.value = "by joint angles of machine " + machine;
+    fact.evidence = "the toolpath states the tool axis alone, and the control may choose other joint angles";
+    fact.remedy = "check the program of the control, or state with --assume head=turn that it chooses these angles";
+  } else if (is_always_upright(path)) {
+    fact.basis = Basis::derived;
+    fact.value = "as in its file";
+    fact.evidence = "the tool axis is Z in all moves";
+  } else {
+    fact.value = "by the shortest rotation from Z to the tool axis";
+    fact.evidence = "the toolpath states the tool axis alone, and not how a head turns about it";
+    fact.remedy = "give --machine, or state with --assume head=turn that the head turns so";
+  }
+  return fact;
+}
+
+/// Length of a tool by which heads lie above its tip.
+struct HeadLength {
+  std::size_t tool = 0;
+  double mm = 0;  ///< 0: not known
+  bool is_gauge_length = false;
+};
+
+HeadLength length_of(const Toolpath& path, std::size_t tool, const std::optional<ToolAssembly>& assembly) {
+  const std::optional<double>& stated = path.tools[tool].gauge_length_mm;
+  const bool is_in_library = assembly && assembly->gauge_length_mm > 0;
+  if (stated || is_in_library) return {tool, stated ? *stated : assembly->gauge_length_mm, true};
+  return {tool, assembly && !assembly->holder.empty() ? height_mm(*assembly) : 0, false};
+}
+
+std::vector<HeadLength> lengths_of_used(const Toolpath& path,
+                                        const std::vector<std::optional<ToolAssembly>>& assemblies) {
+  std::vector<bool> is_used(path.tools.size(), false);
+  for (const Move& move : path.moves)
+    if (move.tool != kNone) is_used[move.tool] = true;
+  std::vector<HeadLength> lengths;
+  for (std::size_t i = 0; i < path.tools.size(); ++i)
+    if (is_used[i] && assemblies[i]) lengths.push_back(length_of(path, i, assemblies[i]));
+  return lengths;
+}
+
+std::string length_text(const Toolpath& path, const HeadLength& length) {
+  return name_of(path.tools[length.tool]) + " is " + display_text(length.mm / mm_per(path.unit), 4) + " " +
+         unit_name(path.unit) + " long";
+}
+
+Assumption place_fact(const Toolpath& path, const std::vector<HeadLength>& lengths) {
+  constexpr double kEqual_mm = 5e-3;
+  Assumption fact{.subject = Subject::head, .object = "place", .code = "head-place"};
+  fact.file = path.file;
+  fact.value = "as far from the tip of each tool";
+  fact.remedy =
+      "check the tools one by one, each with its head, or state with --assume head=place that the head is right "
+      "for all";
+  const auto unknown = std::ranges::find_if(lengths, [](const HeadLength& one) { return !(one.mm > 0); });
+  const auto other = std::ranges::find_if(
+      lengths, [&](const HeadLength& one) { return std::abs(one.mm - lengths.front().mm) > kEqual_mm; });
+  if (lengths.size() < 2) {
+    fact.basis = Basis::stated;
+    fact.value = "as in its file";
+    fact.remedy.clear();
+  } else if (unknown != lengths.end()) {
+    fact.basis = Basis::unknown;
+    fact.evidence = "a head is as far from the tip of each tool, and the length of " +
+                    name_of(path.tools[unknown->tool]) + " to the gauge line is not known";
+    fact.remedy = "state gauge_length in the library; or " + fact.remedy;
+  } else if (other != lengths.end()) {
+    fact.basis = Basis::contradicted;
+    fact.evidence = "a head is as far from the tip of each tool, but " + length_text(path, lengths.front()) + " and " +
+                    length_text(path, *other);
+  } else {
+    fact.basis = std::ranges::all_of(lengths, &HeadLength::is_gauge_length) ? Basis::derived : Basis::by_default;
+    fact.evidence = "all tools are " + display_text(lengths.front().mm / mm_per(path.unit), 4) + " " +
+                    unit_name(path.unit) + " long";
+  }
+  return fact;
+}
+
+}  // namespace
+
+Assumptions head_facts(const Toolpath& path, const std::vector<std::optional<ToolAssembly>>& assemblies,
+                       const std::string& machine) {
+  return {turn_fact(path, machine), place_fact(path, lengths_of_used(path, assemblies))};
+}
+
+}  // namespace gouge

@@ -1,0 +1,71 @@
+#include "cli/tools/head_facts.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace gouge::head_facts_test {
+namespace {
+
+ToolAssembly tool_with(double gauge_length_mm, double holder_mm = 0) {
+  ToolAssembly tool;
+  tool.cutter = FlatCutter{10, 40};
+  tool.gauge_length_mm = gauge_length_mm;
+  if (holder_mm > 0) tool.holder = {{30, 30, holder_mm}};
+  return tool;
+}
+
+/// Returns a path that moves with each of some tools.
+Toolpath path_with(std::size_t tools) {
+  Toolpath path;
+  for (std::size_t i = 0; i < tools; ++i) {
+    PathTool& tool = path.tools.emplace_back();
+    tool.number = static_cast<int>(i) + 1;
+    path.moves.emplace_back().tool = i;
+  }
+  return path;
+}
+
+Assumption place_of(const std::vector<ToolAssembly>& tools) {
+  return head_facts(path_with(tools.size()), {tools.begin(), tools.end()}, "")[1];
+}
+
+TEST(HeadFacts, TheDistanceFromTheTipIsRightForToolsOfOneLength) {
+  EXPECT_EQ(place_of({tool_with(0)}).basis, Basis::stated) << "one tool";
+  EXPECT_EQ(place_of({tool_with(100), tool_with(100.004)}).basis, Basis::derived);
+  EXPECT_EQ(place_of({tool_with(0, 60), tool_with(0, 60)}).basis, Basis::by_default) << "as long as their holders";
+  EXPECT_EQ(place_of({tool_with(100), tool_with(0)}).basis, Basis::unknown);
+  EXPECT_EQ(place_of({tool_with(0, 60), tool_with(0, 20)}).basis, Basis::contradicted);
+  const Assumption differs = place_of({tool_with(100), tool_with(50)});
+  EXPECT_EQ(differs.basis, Basis::contradicted);
+  EXPECT_EQ(differs.evidence, "a head is as far from the tip of each tool, but T1 is 100 mm long and T2 is 50 mm long");
+}
+
+TEST(HeadFacts, ToolsThatDoNotMoveHaveNoPlace) {
+  Toolpath path = path_with(2);
+  path.moves.resize(1);
+  EXPECT_EQ(head_facts(path, {tool_with(100), tool_with(50)}, "")[1].basis, Basis::stated);
+}
+
+TEST(HeadFacts, ALengthOfTheSetUpTakesThePlaceOfThatOfTheLibrary) {
+  Toolpath path = path_with(2);
+  path.tools[1].gauge_length_mm = 100;
+  EXPECT_EQ(head_facts(path, {tool_with(100), tool_with(0)}, "")[1].basis, Basis::derived);
+}
+
+TEST(HeadFacts, TheTurnIsKnownWhereTheAxisStandsOrAProgramStatesTheJoints) {
+  Toolpath path = path_with(1);
+  const auto turn = [&](const std::string& machine) { return head_facts(path, {tool_with(0)}, machine)[0]; };
+  EXPECT_EQ(turn("").basis, Basis::derived) << "upright";
+  EXPECT_EQ(turn("DMU").basis, Basis::by_default) << "a table may turn below an upright tool";
+  path.moves[0].end.axis = Vec3(0.6, 0, 0.8);
+  EXPECT_EQ(turn("").basis, Basis::by_default);
+  EXPECT_EQ(turn("").object, "turn");
+  path.joints = std::make_shared<const JointPath>();
+  EXPECT_EQ(turn("DMU").basis, Basis::by_default) << "angles that are chosen";
+  path.dialect = "gcode";
+  EXPECT_EQ(turn("DMU").basis, Basis::stated);
+}
+
+}  // namespace
+}  // namespace gouge::head_facts_test
