@@ -9,7 +9,8 @@
 namespace gouge {
 
 /// The frame of a Klartext program within the preset, or within a tilted plane: a datum shift, then a rotation in the
-/// plane of X and Y or a mirror image. Lengths in mm. A scale makes it unknown.
+/// plane of X and Y or a mirror image. Lengths in mm. A scale makes it unknown. A datum shift before a tilted plane moves
+/// its origin, and one after it is within the plane.
 /// Source   TNC 407 280 580, cycles 7, 8, 10 and 11; the order in which a manual combines them: datum shift, tilted plane,
 ///          rotation.
 class KlartextFrame {

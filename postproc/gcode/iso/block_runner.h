@@ -103,7 +103,12 @@ class BlockRunner {
   void go_round(const GcodeRow& row, const Target& to);
   void drill(const GcodeRow& row);
   void drill_at(const GcodeCycle& cycle, const Target& at, const Vec3& step_mm);
-  [[nodiscard]] std::string why_not_drilled(const GcodeCycle& cycle, int times);
+  /// Levels of one hole: at its start, of the retract plane, and of its bottom.
+  struct DrillLevels {
+    double start_mm, r_mm, bottom_mm;
+  };
+  [[nodiscard]] std::string why_end_unknown(const DrillLevels& levels);
+  void leave_hole_open(const Target& at, const Vec3& end, const std::string& why_unknown);
   [[nodiscard]] std::optional<int> times_of_cycle() const;
   [[nodiscard]] int times_of_steps() const;
 

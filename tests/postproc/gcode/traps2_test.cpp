@@ -246,6 +246,24 @@ TEST(GcodeEffects, CyclesRepeatBySteps) {
   expect_open(program("G91 G99 G81 X5. R-8. Z-1.5 F100.\nX5.\n"), "haas", "R of the cycle counts");
 }
 
+TEST(GcodeEffects, BehindACycleThatIsNotUnderstoodThePlaceIsNotKnown) {
+  const std::string start = "G17 G21 G90 G94\nT1 M6\nG54 G0 X0. Y0.\nG43 H1 Z50.\n";
+  const auto is_place_known = [&](const std::string& control, const std::string& blocks) {
+    const Toolpath path = path_of_program(start + blocks + "G80 G90 G0 Y30.\nM30\n", control);
+    return path.moves.back().not_checked_reason.empty();
+  };
+  for (const std::string control : {"haas", "fanuc", "linuxcnc"}) {
+    EXPECT_TRUE(is_place_known(control, "G98 G81 X5. Z-3. R5. F100.\n")) << control;
+    EXPECT_FALSE(is_place_known(control, "G91 G98 G81 X5. Z-3. R-45. F100. L0\n")) << "repeats, " << control;
+    EXPECT_FALSE(is_place_known(control, "G0 Z1.\nG98 G81 X5. Z-3. R5. F100.\n")) << "below R, " << control;
+    EXPECT_FALSE(is_place_known(control, "G98 G81 X5. Z9. R5. F100.\n")) << "bottom above R, " << control;
+    EXPECT_FALSE(is_place_known(control, "G18\nG98 G81 X5. Z-3. R5. F100.\n")) << "another plane, " << control;
+  }
+  // The tool bores across the hole, and ends above it.
+  EXPECT_TRUE(is_place_known("haas", "G98 G76 X5. Z-3. R5. Q0.1 F100.\n"));
+  EXPECT_FALSE(is_place_known("haas", "G99 G81 X5. Z-3. R5. F100.\nG98 G83 X6. Z-3. R5. Q1.\n")) << "another level";
+}
+
 TEST(GcodeEffects, MotionsBesideCodesThatEndOrCallAreNotRead) {
   for (const char* code : {"M30", "M2", "M99", "M98 P5", "M6", "G4 P1."})
     expect_open(
