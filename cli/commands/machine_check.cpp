@@ -18,16 +18,18 @@ namespace {
 std::string needs_text(const Machine& machine, const std::vector<MissingFact>& missing) {
   const MachineOptionNames names;
   std::vector<std::size_t> points, rates;
-  bool needs_length = false;
+  bool needs_length = false, needs_zero = false;
   for (const MissingFact& fact : missing) {
     if (fact.kind == MissingFact::Kind::point) points.push_back(fact.joint);
     if (fact.kind == MissingFact::Kind::rate) rates.push_back(fact.joint);
     needs_length = needs_length || fact.kind == MissingFact::Kind::tool_length;
+    needs_zero = needs_zero || fact.kind == MissingFact::Kind::part_zero;
   }
   std::vector<std::string> needs;
   if (!points.empty())
     needs.push_back("the point of " + joints_text(machine, points) + " (" + names.joints.point + ")");
   if (needs_length) needs.push_back("the tool length (" + names.tool_length + ")");
+  if (needs_zero) needs.push_back("the part zero (" + names.zero + ")");
   if (!rates.empty()) needs.push_back("the rate of " + joints_text(machine, rates) + " (" + names.joints.rate + ")");
   return listed(needs, " and ");
 }

@@ -61,6 +61,8 @@ std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law,
     if (missing.kind == MissingFact::Kind::tool_length)
       return make_error("machine-law",
                         needs + "the length from the gauge point to the tip; expected " + names.tool_length);
+    if (missing.kind == MissingFact::Kind::part_zero)
+      return make_error("machine-law", needs + "the place of the part on the machine; expected " + names.zero);
   }
   return std::nullopt;
 }

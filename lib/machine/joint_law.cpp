@@ -169,12 +169,14 @@ std::optional<double> JointLaw::length_of(const Toolpath* path, std::size_t move
   return path == nullptr ? tool_length_mm_ : gauge_length_of_move(*path, move, tool_length_mm_);
 }
 
+bool JointLaw::lacks_part_zero() const { return !machine_->is_placed && depends_on_part_zero(*machine_); }
+
 std::shared_ptr<const AxisPath> JointLaw::of_move(const Toolpath* path, std::size_t move, const Pose& from,
                                                   const Pose& to) const {
   const JointPath* const joints = path == nullptr ? nullptr : path->joints.get();
   const auto angles = angles_of_move(*machine_, joints, move, from.axis, to.axis);
   const std::optional<double> length_mm = length_of(path, move);
-  if (!angles || !length_mm) {
+  if (!angles || !length_mm || lacks_part_zero()) {
     // Any standing angles give a straight line, if all joints run together.
     const bool is_line = timing_ == JointTiming::together || from.tip == to.tip;
     return from.axis == to.axis && is_line ? standing_at(from.axis) : nullptr;
@@ -199,6 +201,8 @@ std::string JointLaw::why_open(const Toolpath& path, std::size_t index) const {
   if (!length_mm && tool_length_mm_)
     return "the length of one tool is stated, and the path has " + std::to_string(path.tools.size());
   if (!length_mm) return "the length from the gauge point to the tip is not stated";
+  if (lacks_part_zero())
+    return "the motion depends on the place of the part on machine " + machine_->name + "; expected --zero";
   if (!are_determined(*machine_, *angles))
     return "the linear joints lie nearly in one plane at an end of the move, so that their values are not determined";
   JointRuns runs = runs_between(*machine_, from.tip, move.end.tip, *angles, *length_mm);

@@ -28,7 +28,7 @@ class JointLaw : public AxisLaw {
         tool_length_mm_(tool_length_mm) {}
 
   /// Uses the nearest angles of both axes. Returns null if the machine cannot reach one of them, or if a joint without a
-  /// rate runs independently beside others. The same if the motion depends on a tool length that is not known.
+  /// rate runs independently beside others. The same if the motion depends on a tool length or a part zero that is not known.
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override;
   /// Uses the angles chosen for the path if they give both axes; otherwise the same as `between`.
   [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const Toolpath* path, std::size_t move, const Pose& from,
@@ -40,6 +40,8 @@ class JointLaw : public AxisLaw {
  private:
   /// Returns the tool length of a motion; 0 where no motion depends on it. None: it is not known.
   [[nodiscard]] std::optional<double> length_of(const Toolpath* path, std::size_t move) const;
+  /// Returns whether the motions depend on a part zero that is not known.
+  [[nodiscard]] bool lacks_part_zero() const;
 
   std::shared_ptr<const Machine> machine_;
   JointTiming timing_;

@@ -63,6 +63,7 @@ std::vector<MissingFact> missing_facts(const Machine& machine, TurnLaw law, bool
   for (const std::size_t k : machine.rotary)
     if (!machine.joints[k].has_point) missing.push_back({Fact::point, k});
   if (!has_tool_length && depends_on_tool_length(machine)) missing.push_back({Fact::tool_length, 0});
+  if (!machine.is_placed && depends_on_part_zero(machine)) missing.push_back({Fact::part_zero, 0});
   if (law != TurnLaw::independent) return missing;
   for (std::size_t k = 0; k < machine.joints.size(); ++k)
     if (!machine.joints[k].rate) missing.push_back({Fact::rate, k});

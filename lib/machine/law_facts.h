@@ -15,13 +15,14 @@ struct MissingFact {
   enum class Kind {
     point,        ///< on the axis of a rotary joint
     tool_length,  ///< from the gauge point to the tip, if depends_on_tool_length
+    part_zero,    ///< if depends_on_part_zero
     rate          ///< of a joint; moves of several joints that need it are not checked
   };
   Kind kind = Kind::point;
-  std::size_t joint = 0;  ///< of Machine::joints; of the tool length without meaning
+  std::size_t joint = 0;  ///< of Machine::joints; without meaning for the tool length and the part zero
 };
 
-/// Returns the facts that a law lacks on a machine: points, then the tool length, then rates.
+/// Returns the facts that a law lacks on a machine: points, then the tool length and the part zero, then rates.
 [[nodiscard]] std::vector<MissingFact> missing_facts(const Machine& machine, TurnLaw law, bool has_tool_length);
 
 /// A doubt about the data of a machine.

@@ -100,4 +100,16 @@ bool depends_on_tool_length(const Machine& machine) {
   });
 }
 
+bool depends_on_part_zero(const Machine& machine) {
+  const auto turns = [&](std::size_t rotary, std::size_t linear) {
+    const Joint &joint = machine.joints[rotary], &slide = machine.joints[linear];
+    const bool is_between = joint.side == JointSide::table ? linear < rotary : linear > rotary;
+    return joint.side == slide.side && is_between &&
+           slide.direction.cross(joint.direction).norm() > Tolerance::kExactDirection;
+  };
+  return std::ranges::any_of(machine.rotary, [&](std::size_t rotary) {
+    return std::ranges::any_of(machine.linear, [&](std::size_t linear) { return turns(rotary, linear); });
+  });
+}
+
 }  // namespace gouge

@@ -98,6 +98,11 @@ struct Machine {
 /// Proof: docs/method/machine.md, "Tool length".
 [[nodiscard]] bool depends_on_tool_length(const Machine& machine);
 
+/// Returns whether a motion of the joints between two poses depends on the place of the part on the machine. It does, unless
+/// another place shifts each linear joint by the same value at all rotary angles. Requires make_machine.
+/// Proof: docs/method/machine.md, "Place of the part".
+[[nodiscard]] bool depends_on_part_zero(const Machine& machine);
+
 /// Describes a machine in the coordinates of a part on it. `zero` maps part coordinates to machine coordinates, in which
 /// the machine is described, with all joints at 0. Then directions, points and Machine::rest are in part coordinates.
 /// Proof: docs/method/machine.md, "Part zero".

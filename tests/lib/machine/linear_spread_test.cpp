@@ -59,7 +59,7 @@ TEST(LinearSpread, DoesNotChangeWithNeighbours) {
 }
 
 TEST(LinearSpread, AMoveToOrFromAPlaneIsOpenByTheLawsOfAllJoints) {
-  Machine machine = x_under_rotaries();
+  Machine machine = place_part(x_under_rotaries(), {});
   for (Joint& joint : machine.joints) joint.rate = 100;
   const RotaryAngles apart{0, 0.5}, in_plane{kQuarter_rad, 0.5}, near_plane{kQuarter_rad + 0.005, 0.5};
   EXPECT_LT(linear_spread(machine, in_plane), 1e-12);

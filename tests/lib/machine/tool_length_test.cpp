@@ -68,7 +68,7 @@ TEST(ToolLength, MattersExactlyWhereTheTipDependsOnIt) {
         EXPECT_GT(difference_mm, 1e-3) << machine.name << " by " << turn_law_name(law);
       else
         EXPECT_LT(difference_mm, 1e-8) << machine.name << " by " << turn_law_name(law);
-      EXPECT_EQ(missing_facts(machine, law, false).size(), depends ? 1U : 0U) << machine.name;
+      EXPECT_EQ(missing_facts(place_part(machine, {}), law, false).size(), depends ? 1U : 0U) << machine.name;
     }
     const Machine placed = place_part(machine, test::random_zero(scatter));
     EXPECT_EQ(depends_on_tool_length(placed), depends) << machine.name << " with a part zero";
@@ -81,7 +81,7 @@ TEST(ToolLength, EveryChainMovesTheToolAsTheMatricesDo) {
   test::Scatter scatter(82);
   int compared = 0;
   for (int n = 0; n < 400; ++n) {
-    const Machine machine = test::random_chain(scatter, n % 4 == 3);
+    const Machine machine = place_part(test::random_chain(scatter, n % 4 == 3), {});
     const test::MachineReference reference(machine, kLong_mm);
     const Ends ends = reference.with_joints(random_ends(machine, scatter));
     if (!is_within_travel(ends)) continue;

@@ -249,7 +249,7 @@ TEST(GcodeEffects, CyclesRepeatBySteps) {
 TEST(GcodeEffects, BehindACycleThatIsNotUnderstoodThePlaceIsNotKnown) {
   const std::string start = "G17 G21 G90 G94\nT1 M6\nG54 G0 X0. Y0.\nG43 H1 Z50.\n";
   const auto is_place_known = [&](const std::string& control, const std::string& blocks) {
-    const Toolpath path = path_of_program(start + blocks + "G80 G90 G0 Y30.\nM30\n", control);
+    const Toolpath path = path_of_program(start + blocks + "G80\nG90 G0 Y30.\nM30\n", control);
     return path.moves.back().not_checked_reason.empty();
   };
   for (const std::string control : {"haas", "fanuc", "linuxcnc"}) {
