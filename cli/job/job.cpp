@@ -216,7 +216,7 @@ class JobLoader {
         std::ranges::any_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); });
     if (!is_any_defined) {
       if (library) errors_.insert(errors_.end(), library->notes.begin(), library->notes.end());
-      return errors_.push_back(no_tool());
+      return errors_.push_back(describe_missing_tools(job_.toolpath, arguments_.tools_file));
     }
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
@@ -247,8 +247,11 @@ class JobLoader {
     SetupBasis& basis = job_.basis;
     const bool has_tolerances = !arguments_.tip_tolerance.empty() || !arguments_.axis_tolerance.empty();
     if (job_.machine)
-      std::ranges::move(machine_facts(*job_.machine, arguments_.machine, job_.options.check.tube, has_tolerances),
-                        std::back_inserter(basis.inputs));
+      std::ranges::move(
+          machine_facts(*job_.machine, {arguments_.machine, job_.options.check.tube, has_tolerances}, job_.toolpath),
+          std::back_inserter(basis.inputs));
+    if (auto fact = dogleg_fact(job_.toolpath, job_.options.check.law, job_.machine ? &*job_.machine : nullptr))
+      basis.inputs.push_back(std::move(*fact));
     if (!job_.heads().empty())
       std::ranges::move(head_facts(job_.toolpath, job_.assemblies, job_.machine ? job_.machine->name : ""),
                         std::back_inserter(basis.inputs));
@@ -265,24 +268,6 @@ class JobLoader {
       for (const MeshFacts& mesh : *facts) all.push_back(&mesh);
     }
     return all;
-  }
-
-  [[nodiscard]] Diagnostic no_tool() const {
-    const std::size_t line =
-        job_.toolpath.tools.empty() ? std::size_t{job_.toolpath.moves.front().line} : job_.toolpath.tools.front().line;
-    std::vector<std::string> names;
-    for (std::size_t tool = 0; tool < job_.toolpath.tools.size(); ++tool)
-      names.push_back(tool_label(job_.toolpath, tool));
-    const std::string& library = arguments_.tools_file;
-    const bool is_program = job_.toolpath.dialect == gcode_dialect().id;
-    return make_error("no-tool",
-                      "no tool of the toolpath is defined" + (names.empty() ? "" : " (" + listed(names) + ")") +
-                          ", so nothing can be checked; expected " +
-                          (is_program ? "" : "CUTTER or TLDATA in the file, or ") +
-                          (library.empty() ? "a library that has the tool: --tools LIB.json"
-                                           : "the tool in " + library + ", or --tool NUMBER=NAME") +
-                          ", with --tool NAME where the file names none",
-                      arguments_.path, line);
   }
 
   void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }

@@ -1,8 +1,13 @@
 #include "cli/machine/machine_facts.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "cli/machine/machine_choice.h"
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/base/units.h"
+#include "lib/path/run_kind.h"
 
 namespace gouge {
 namespace {
@@ -18,12 +23,21 @@ std::string joints_without_limits(const Machine& machine) {
   return names;
 }
 
-Assumption kinematics_fact(const Machine& machine, const std::string& typed) {
+Assumption kinematics_fact(const Machine& machine, const std::string& typed, const Toolpath& path) {
   Assumption fact{.subject = Subject::machine, .basis = Basis::stated, .value = machine.name, .code = "machine-law"};
   if (!typed.starts_with(kMachinePreset)) fact.file = typed;
   fact.evidence = machine.source.empty() ? "no source of the kinematics is given" : machine.source;
   if (const std::string names = joints_without_limits(machine); !names.empty())
     fact.evidence += ", the limits of joint " + names + " are not given";
+  if (path.has_turned_frame && !machine.is_placed) {
+    fact.basis = Basis::contradicted;
+    fact.code = "machine-frame";
+    fact.file = path.file;
+    fact.evidence =
+        "the toolpath states a frame whose X, Y and Z are turned from those of the part, and without --zero the "
+        "axes of the machine are those of the part";
+    fact.remedy = "give --zero with its angles, or state with --assume machine that the axes are those of the part";
+  }
   return fact;
 }
 
@@ -43,11 +57,66 @@ Assumption smoothing_fact(const Machine& machine, const MotionTube& tube, bool h
   return fact;
 }
 
+/// Returns whether all linear joints run along X, Y or Z of the part.
+bool runs_along_axes(const Machine& machine, const std::optional<RotaryAngles>& angles) {
+  return std::ranges::all_of(machine.linear, [&](std::size_t linear) {
+    Vec3 direction = machine.joints[linear].direction;
+    for (std::size_t k = machine.rotary.size(); k-- > 0;) {
+      if (machine.rotary[k] > linear) continue;
+      if (!angles) return false;
+      direction = Eigen::AngleAxisd((*angles)[k], machine.joints[machine.rotary[k]].direction) * direction;
+    }
+    return direction.cwiseAbs().maxCoeff() > 1 - Tolerance::kRounding;
+  });
+}
+
+bool runs_along_axes(const Machine& machine, const Toolpath& path, std::size_t move) {
+  if (path.joints == nullptr) return runs_along_axes(machine, std::nullopt);
+  return runs_along_axes(machine, path.joints->start.at(move)) && runs_along_axes(machine, path.joints->end.at(move));
+}
+
+bool is_upright(const Toolpath& path, std::size_t move) {
+  return path.moves[move].end.axis == Vec3(Vec3::UnitZ()) && path.start_of(move).axis == Vec3(Vec3::UnitZ());
+}
+
 }  // namespace
 
-Assumptions machine_facts(const Machine& machine, const std::string& typed, const MotionTube& tube,
-                          bool has_tolerances) {
-  return {kinematics_fact(machine, typed), smoothing_fact(machine, tube, has_tolerances)};
+Assumptions machine_facts(const Machine& machine, const MachineStatement& stated, const Toolpath& path) {
+  return {kinematics_fact(machine, stated.typed, path), smoothing_fact(machine, stated.tube, stated.has_tolerances)};
+}
+
+std::optional<Assumption> dogleg_fact(const Toolpath& path, const MotionLaw& law, const Machine* machine) {
+  if (law.rapid() != RapidMode::dogleg) return std::nullopt;
+  std::vector<std::size_t> rapids;
+  for (std::size_t i = 1; i < path.moves.size(); ++i)
+    if (path.moves[i].has_start && runs_rapid(path.moves[i])) rapids.push_back(i);
+  if (rapids.empty()) return std::nullopt;
+  Assumption fact{.subject = Subject::motion_law, .object = "rapids", .code = "rapid-axes"};
+  fact.value = "dog-legs along X, Y and Z of the part";
+  fact.file = path.file;
+  fact.remedy =
+      "give --machine with --rapid-law independent in place of --rapid dogleg, or state with --assume "
+      "motion-law=rapids that the linear axes run so";
+  const auto turned = [&](std::size_t i) { return machine != nullptr && !runs_along_axes(*machine, path, i); };
+  const auto open = std::ranges::find_if(rapids, turned);
+  if (path.has_turned_frame) {
+    fact.basis = Basis::contradicted;
+    fact.evidence = "the toolpath states a frame whose X, Y and Z are turned from those of the part";
+  } else if (open != rapids.end()) {
+    fact.basis = Basis::contradicted;
+    fact.line = path.moves[*open].line;
+    fact.evidence = "in the rapid of line " + std::to_string(fact.line) + " the linear axes of machine " +
+                    machine->name + " are not known to be along X, Y and Z of the part";
+  } else if (machine != nullptr) {
+    fact.basis = Basis::derived;
+    fact.evidence = "so the linear axes of machine " + machine->name + " run in all rapids";
+  } else if (std::ranges::all_of(rapids, [&](std::size_t i) { return is_upright(path, i); })) {
+    fact.basis = Basis::derived;
+    fact.evidence = "the tool axis is Z in all rapids";
+  } else {
+    fact.evidence = "the tool is tilted in rapids, and a table that turns would turn the axes too";
+  }
+  return fact;
 }
 
 }  // namespace gouge

@@ -26,6 +26,12 @@ Assumption turn_fact(const Toolpath& path, const std::string& machine) {
     fact.value = "by joint angles of machine " + machine;
     fact.evidence = "the toolpath states the tool axis alone, and the control may choose other joint angles";
     fact.remedy = "check the program of the control, or state with --assume head=turn that it chooses these angles";
+  } else if (path.has_turned_frame) {
+    fact.basis = Basis::contradicted;
+    fact.value = "by the shortest rotation from Z to the tool axis";
+    fact.evidence =
+        "the toolpath states a frame whose X, Y and Z are turned from those of the part, and the head turns from the part's";
+    fact.remedy = "give --machine and --zero, or state with --assume head=turn that the head turns so";
   } else if (is_always_upright(path)) {
     fact.basis = Basis::derived;
     fact.value = "as in its file";

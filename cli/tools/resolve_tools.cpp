@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/draw_profile.h"
 #include "toolmodels/from_path.h"
@@ -336,6 +337,21 @@ Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* lib
     if (const auto error = resolver.take_holder(holder)) return *error;
   }
   return resolver.run();
+}
+
+Diagnostic describe_missing_tools(const Toolpath& path, const std::string& library) {
+  const std::size_t line = path.tools.empty() ? std::size_t{path.moves.front().line} : path.tools.front().line;
+  std::vector<std::string> names;
+  for (std::size_t tool = 0; tool < path.tools.size(); ++tool) names.push_back(tool_label(path, tool));
+  const bool is_program = path.dialect == gcode_dialect().id;
+  return make_error("no-tool",
+                    "no tool of the toolpath is defined" + (names.empty() ? "" : " (" + listed(names) + ")") +
+                        ", so nothing can be checked; expected " +
+                        (is_program ? "" : "CUTTER or TLDATA in the file, or ") +
+                        (library.empty() ? "a library that has the tool: --tools LIB.json"
+                                         : "the tool in " + library + ", or --tool NUMBER=NAME") +
+                        ", with --tool NAME where the file names none",
+                    path.file, line);
 }
 
 Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool, ToolUse use, GaugeLength length) {

@@ -35,6 +35,9 @@ struct ResolvedTools {
                                                   const std::vector<std::string>& tool_names, const std::string& holder,
                                                   ToolUse use = ToolUse::finds_gouges, GaugeLength length = {});
 
+/// Describes the error no-tool: no tool of the path is defined. `library`: the file of --tools; may be empty.
+[[nodiscard]] Diagnostic describe_missing_tools(const Toolpath& path, const std::string& library);
+
 /// Resolves a path in which `tool` takes the place of every tool.
 [[nodiscard]] Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool,
                                                   ToolUse use = ToolUse::finds_gouges, GaugeLength length = {});

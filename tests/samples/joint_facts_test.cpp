@@ -244,7 +244,7 @@ TEST(LinearJoints, InOnePlaneLeaveAMoveOpenByTheLawsOfAllJoints) {
   const auto check = [&](const std::string& law, const std::string& positions) {
     shop.write("path.apt", head + positions + "FINI\n");
     return shop.run({"check", "path.apt", "--part", "part.stl", "--machine", "machine.json", "--feed-law", law,
-                     "--rapid-law", law, "--no-config", "--assume", "placement"});
+                     "--rapid-law", law, "--zero", "0,0,0", "--no-config", "--assume", "placement"});
   };
   const Outcome open = check("joint", apart + in_plane);
   EXPECT_EQ(open.exit_status, 4) << open.out << open.err;

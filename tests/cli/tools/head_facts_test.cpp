@@ -61,6 +61,8 @@ TEST(HeadFacts, TheTurnIsKnownWhereTheAxisStandsOrAProgramStatesTheJoints) {
   path.moves[0].end.axis = Vec3(0.6, 0, 0.8);
   EXPECT_EQ(turn("").basis, Basis::by_default);
   EXPECT_EQ(turn("").object, "turn");
+  path.has_turned_frame = true;
+  EXPECT_EQ(turn("").basis, Basis::contradicted) << "the machine has the axes of the frame";
   path.joints = std::make_shared<const JointPath>();
   EXPECT_EQ(turn("DMU").basis, Basis::by_default) << "angles that are chosen";
   path.dialect = "gcode";
