@@ -108,9 +108,10 @@ class LawsCheck {
   }
 
  private:
-  /// Returns whether piece `k` of straight move `i` is the programmed motion or a part of it. It may also lead from its
-  /// new start to the old one, or from the old end to the new one. Elsewhere a motion that still gouges could cut
-  /// places that it did not cut before, even if it is less deep than its deepest point.
+  /// Returns whether piece `k` of straight move `i` is the programmed motion or a part of it. It may also lead from the
+  /// old end to the new one. A feed may lead from its new start to the old one, and back to its old end if a rapid
+  /// begins there; a rapid would plunge. Elsewhere a motion that still gouges could cut places that it did not cut
+  /// before, even if it is less deep than its deepest point.
   [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
     const Toolpath &a = *before_.path, &b = *after_.path;
     if (!b.moves[k].has_start) return false;
@@ -120,8 +121,11 @@ class LawsCheck {
     if (a.moves[i].kind == MoveKind::feed && is_on_programmed(i, b.start_of(k)) && is_on_programmed(i, b.moves[k].end))
       return true;
     const bool is_first = k == span.first, is_last = k + 1 == span.last;
-    return (is_first && !is_last && is_near(b.moves[k].end, a.start_of(i))) ||
-           (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end));
+    if (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end)) return true;
+    if (runs_rapid(a.moves[i])) return false;
+    const bool precedes_rapid =
+        i + 1 < a.moves.size() && a.moves[i + 1].has_start && runs_rapid(a.moves[i + 1]) && is_last && !is_first;
+    return (is_first && !is_last && is_near(b.moves[k].end, a.start_of(i))) || (precedes_rapid && ends_at_end);
   }
 
   /// Returns whether piece `k` runs on the circle of arc `i`, with the same tool axis. A curve that became straight moves,

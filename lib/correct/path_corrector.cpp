@@ -216,7 +216,7 @@ void PathCorrector::choose_moves() {
     moves_[i].is_wanted = is_linked || has_new_end(i);
     if (was_wanted && !moves_[i].is_wanted) {
       moves_[i].inserted.clear();
-      moves_[i].is_failed = moves_[i].is_refused = false;
+      moves_[i].is_failed = moves_[i].is_refused = moves_[i].keeps_start = false;
     }
   }
 }
@@ -260,7 +260,7 @@ LinkTask PathCorrector::task_of(std::size_t i) const {
 void PathCorrector::link_move(std::size_t i) {
   MoveWork& work = moves_[i];
   const Move& move = path_.moves[i];
-  work.is_dirty = work.is_failed = work.is_refused = work.is_out_of_budget = false;
+  work.is_dirty = work.is_failed = work.is_refused = work.is_out_of_budget = work.keeps_start = false;
   work.inserted.clear();
   const bool has_bad_end = !positions_[i].failure.empty() || (is_chained(i) && !positions_[i - 1].failure.empty());
   const bool can_change = move.has_start && is_straight(move) && move.not_checked_reason.empty() && !work.is_kept;
@@ -278,8 +278,7 @@ void PathCorrector::link_move(std::size_t i) {
   }
   work.is_failed = true;
   if (!has_new_end(i) || is_free(i)) return;
-  work.inserted = programmed_again(i);
-  work.is_refused = work.inserted.empty();
+  stay_as_programmed(i);
 }
 
 /// Links with the strategy of the gouging body. If that is to tilt and no link was found, links with that of the cutter.
@@ -300,55 +299,6 @@ std::optional<std::vector<LinkPose>> PathCorrector::link_as(std::size_t i, const
   const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
   if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
   return link(start_of(i), end_of(i), task);
-}
-
-/// Returns positions with which a still gouging move runs as it was programmed. It leads from its new start to the old
-/// one, along the programmed motion, and from the old end to the new one. So it cuts nothing new, except for the shifts
-/// of its ends, which are no deeper than the ends. Returns nothing if that does not hold, or if the motion is not a
-/// straight line.
-std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {
-  const Move& move = path_.moves[i];
-  const bool is_dogleg = move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::dogleg;
-  if (!move.has_start || !is_straight(move) || !move.not_checked_reason.empty() || is_dogleg) return {};
-  const MoveVerdict before = verdict_before(i);
-  const auto is_lawful = [&](const Pose& from, const Pose& to) {
-    const Motion motion = options_.law.straight(from, to);
-    return motion.is_defined() &&
-           is_no_worse_than(before, checker_.check(motion, move.kind, *tools_[move.tool], options_),
-                            options_.resolution_mm);
-  };
-  std::vector<LinkPose> again;
-  const auto visit = [&](const Pose& pose) { again.push_back({{pose, Strategy::axis, 0, 0}, pose, before.depth_mm}); };
-  const Pose &start = path_.start_of(i), new_start = start_of(i), new_end = end_of(i);
-  if (positions_[i - 1].corrected) {
-    if (!is_lawful(new_start, start)) return {};
-    visit(start);
-  }
-  if (positions_[i].corrected) {
-    if (!is_lawful(move.end, new_end)) return {};
-    visit(move.end);
-  }
-  return again;
-}
-
-// Returns the verdict before the correction. A rapid that is left out on request is checked here, because it exists
-// nevertheless.
-MoveVerdict PathCorrector::verdict_before(std::size_t i) const {
-  const MoveVerdict& verdict = result_.verdicts[i];
-  if (verdict.state != MoveState::not_checked || !verdict.reason.is(Reason::Kind::rapid_skipped)) return verdict;
-  return checker_.check(options_.law.of(path_, i), run_kind(path_.moves[i]), *tools_[path_.moves[i].tool], options_);
-}
-
-/// Returns whether a move with its new ends is clean, or near if it was not clean before.
-bool PathCorrector::is_free(std::size_t i) const {
-  const Move& move = path_.moves[i];
-  if ((move.has_start && !is_straight(move)) || !move.not_checked_reason.empty()) return false;
-  const Motion motion =
-      move.has_start ? options_.law.between(start_of(i), end_of(i), move.kind) : options_.law.at(end_of(i));
-  if (!motion.is_defined()) return false;
-  const MotionChecker checker = move.kind == MoveKind::rapid ? checker_of(i) : checker_;
-  const MoveVerdict after = checker.check(motion, move.kind, *tools_[move.tool], options_);
-  return after.state != MoveState::gouge && is_no_worse_than(verdict_before(i), after, options_.resolution_mm);
 }
 
 /// Takes back the changes that make a move worse. Returns whether there were any.

@@ -41,6 +41,7 @@ class PathCorrector {
     bool is_failed = false;         ///< the move still gouges
     bool is_refused = false;        ///< the change would make the move worse
     bool is_out_of_budget = false;  ///< the budget ran out before a path was found
+    bool keeps_start = false;  ///< a rapid that begins at its programmed start, to which the feed before it returns
     std::string kept_reason;
   };
 
@@ -68,16 +69,24 @@ class PathCorrector {
   void link_move(std::size_t i);
   [[nodiscard]] PoseLimits limits_for(const ToolVariants& tool) const;
   [[nodiscard]] LinkTask task_of(std::size_t i) const;
-  [[nodiscard]] bool is_free(std::size_t i) const;
-  [[nodiscard]] std::vector<LinkPose> programmed_again(std::size_t i) const;
-  [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
   [[nodiscard]] bool take_back();
   [[nodiscard]] double depth_at(const Pose& pose, std::size_t i) const;
   void work(std::string_view stage, const std::vector<std::size_t>& wanted, const ProgressCall& progress,
             const std::function<void(std::size_t)>& what);
   [[nodiscard]] std::string out_of_budget() const;
+  // stay_as_programmed.cpp
+  void stay_as_programmed(std::size_t i);
+  [[nodiscard]] bool is_free(std::size_t i) const;
+  [[nodiscard]] bool is_free_with(std::size_t i, const MotionChecker& checker) const;
+  [[nodiscard]] bool is_shift_lawful(std::size_t i, const Pose& from, const Pose& to) const;
+  [[nodiscard]] bool may_return(std::size_t i) const;
+  [[nodiscard]] std::optional<std::vector<LinkPose>> programmed_again(std::size_t i, bool keeps_start) const;
+  [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
   // gather_correction.cpp
   [[nodiscard]] Correction gather() const;
+  [[nodiscard]] bool returns_to_end(std::size_t i) const;
+  [[nodiscard]] std::vector<LinkPose> stops_of(std::size_t i) const;
+  [[nodiscard]] std::string reason_of(std::size_t i) const;
   void gather_records(std::size_t i, Correction& correction) const;
   void gather_failure(std::size_t i, Correction& correction) const;
 

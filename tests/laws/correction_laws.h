@@ -28,6 +28,7 @@ struct Corrected {
   std::optional<double> max_side_shift_mm;
   double max_shift_mm = 20;
   double rapid_clearance_mm = 1;
+  const CheckResult* in_stock = nullptr;  ///< that of the corrected path with stock; null: there is no stock
 };
 
 struct Figures {
@@ -68,6 +69,7 @@ class LawBook {
       shift(i, figures);
       keeps_its_path(i, figures);
       rapids_keep_off(i, figures);
+      no_rapid_plunges(i);
       const MoveState state = c_.result_before->verdicts[i].state;
       figures.gouges_before += state == MoveState::gouge ? 1U : 0U;
       for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
@@ -113,6 +115,14 @@ class LawBook {
     }
   }
 
+  /// Returns whether a feed keeps its end, goes to new positions before it, and a rapid that no change touches begins
+  /// there.
+  bool returns_to_end(std::size_t i) const {
+    return c_.before->moves[i].kind == MoveKind::feed && changes_[i] != nullptr && !changes_[i]->new_end &&
+           !changes_[i]->inserted_before.empty() && i + 1 < changes_.size() && c_.before->moves[i + 1].has_start &&
+           c_.before->moves[i + 1].kind == MoveKind::rapid;
+  }
+
   // (b): what still gouges runs along the programmed motion, or straight between a new and the old place of an end;
   // anywhere else it may cut what it did not.
   void cuts_nothing_new(std::size_t i, std::size_t k) {
@@ -128,11 +138,12 @@ class LawBook {
     const Motion piece = options_.law.of(*c_.after, k);
     const Vec3 start = c_.before->start_of(i).tip, end = old.end.tip;
     const Vec3 new_start = c_.after->moves[first_[i] - 1].end.tip, new_end = c_.after->moves[first_[i + 1] - 1].end.tip;
+    const Vec3 before_end = returns_to_end(i) ? c_.after->moves[first_[i + 1] - 2].end.tip : end;
     double farthest = 0;
     for (int s = 0; s <= 16; ++s) {
       const Vec3 tip = piece.at(s / 16.0).tip;
-      farthest =
-          std::max(farthest, std::min({off(tip, start, end), off(tip, new_start, start), off(tip, end, new_end)}));
+      farthest = std::max(farthest, std::min({off(tip, start, end), off(tip, new_start, start), off(tip, end, new_end),
+                                              off(tip, before_end, end)}));
     }
     if (farthest > kRounding_mm + 0.01)
       say('b', i, "gouges still, " + std::to_string(farthest) + " mm off its programmed motion");
@@ -141,8 +152,9 @@ class LawBook {
   // Remaining gouges are listed, with a reason, and nothing else is.
   void listed(std::size_t i) {
     bool is_bad = false;
+    const CheckResult& after = c_.in_stock != nullptr ? *c_.in_stock : *c_.result_after;
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
-      const MoveState state = c_.result_after->verdicts[k].state;
+      const MoveState state = after.verdicts[k].state;
       is_bad = is_bad || state == MoveState::gouge || state == MoveState::buried;
     }
     const auto& list = c_.correction->uncorrected;
@@ -328,6 +340,25 @@ class LawBook {
     }
     if (is_uncut(i) && old.kind != MoveKind::rapid && found != list.end())
       say('g', i, "a rapid over what is left uncut does not keep the clearance");
+  }
+
+  // (g): a rapid that was written ends no deeper than it begins, or within the tolerance. Only a programmed rapid may
+  // lead to its programmed end, however deep that is. In stock no rapid goes back to its programmed start.
+  void no_rapid_plunges(std::size_t i) {
+    const Move& old = c_.before->moves[i];
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+      const Move& move = c_.after->moves[k];
+      const bool is_as_programmed = old.kind == MoveKind::rapid && (move.end.tip - old.end.tip).norm() <= kRounding_mm;
+      if (move.kind != MoveKind::rapid || !move.has_start || is_as_programmed) continue;
+      const ToolVariants* tool = c_.setup->tools[move.tool];
+      if (tool == nullptr || !move.not_checked_reason.empty()) continue;
+      const double start = depth_at(c_.after->start_of(k), *tool), end = depth_at(move.end, *tool);
+      if (end > std::max(start, options_.tolerance_mm) + 2 * options_.resolution_mm)
+        say('g', i, "a rapid that was written ends " + std::to_string(end) + " deep");
+      const bool is_in_stock = c_.in_stock != nullptr && c_.in_stock->verdicts[k].state == MoveState::gouge;
+      if (is_in_stock && old.has_start && (move.end.tip - c_.before->start_of(i).tip).norm() <= kRounding_mm)
+        say('g', i, "a rapid that was written goes back into the stock");
+    }
   }
 
   // Brute force examines every triangle: at all moves of small scenes, at some of large ones.

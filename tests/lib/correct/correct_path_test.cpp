@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -418,6 +419,46 @@ TEST(CorrectPath, CutsNothingNewOnAMoveThatStaysAGouge) {
   const Toolpath after = applied(c.path, correction);
   const CheckResult found = check(beside, after);
   EXPECT_EQ(found.counts.clean, after.moves.size());
+}
+
+/// A row along the top of a block. Its last position is 0.2 mm too deep. The next move runs at rapid into a pin that no
+/// shift of 1 mm frees. Move 1 crosses a rib.
+Case rapid_into_a_pin() {
+  Case c;
+  c.correct.max_shift_mm = 1;
+  c.scene.parts = {shapes::box({-60, -30, -20}, {90, 30, 0}), shapes::box({-41, -9, -1}, {-40, 9, 0.5}),
+                   shapes::box({29.5, -0.5, -1}, {30.5, 0.5, 50})};
+  c.path = paths::through(
+      {upright(-50, 0, 1), upright(-30, 0, 0), upright(0, 0, -0.2), upright(30, 0, 2), upright(30, 0, 100)});
+  c.path.moves[3].kind = c.path.moves[4].kind = MoveKind::rapid;
+  return c;
+}
+
+TEST(CorrectPath, NoRapidGoesBackToItsStartAndTheFeedBeforeItDoes) {
+  const Case c = rapid_into_a_pin();
+  const Correction correction = propose(c);
+  EXPECT_EQ(moved_positions(correction), (std::set<std::size_t>{}));
+  const auto change = std::ranges::find(correction.changes, 2U, &PathChange::move);
+  ASSERT_NE(change, correction.changes.end());
+  ASSERT_FALSE(change->inserted_before.empty());
+  EXPECT_NEAR(change->inserted_before.back().tip.z(), 0, 0.01);
+  EXPECT_FALSE(changed_moves(correction).contains(3));
+  const Toolpath after = applied(c.path, correction);
+  const std::size_t last = after.moves.size();
+  EXPECT_EQ(after.moves[last - 3].kind, MoveKind::feed);
+  EXPECT_EQ(after.moves[last - 3].end.tip, c.path.moves[2].end.tip);
+  EXPECT_EQ(check(c, after).verdicts[last - 4].state, MoveState::clean);
+  const auto left = std::ranges::find(correction.uncorrected, 2U, &Uncorrected::move);
+  ASSERT_NE(left, correction.uncorrected.end());
+  EXPECT_TRUE(left->reason.starts_with("a rapid that stays begins at its end")) << left->reason;
+}
+
+TEST(CorrectPath, WhereARapidLeadsToTheStartOfARapidThatStaysBothStay) {
+  Case c = rapid_into_a_pin();
+  c.path.moves[2].kind = MoveKind::rapid;
+  const std::set<std::size_t> changed = changed_moves(propose(c));
+  EXPECT_FALSE(changed.contains(2));
+  EXPECT_FALSE(changed.contains(3));
 }
 
 }  // namespace

@@ -337,6 +337,26 @@ std::vector<Step> random_steps(test::Scatter& random, bool is_tilted) {
   return steps;
 }
 
+// The feed ends 0.2 mm deep in the part. The rapid after it stays in stock, because a cut begins at its end.
+TEST(CorrectStock, ARapidThatStaysInStockBeginsAtTheCorrectedEndOfTheFeed) {
+  Case c({{kRapid, upright(-20, 0, 5)},
+          {kFeed, upright(-20, 0, -35.2)},
+          {kRapid, upright(20, 0, -20)},
+          {kFeed, upright(25, 0, -20)},
+          {kRapid, upright(25, 0, 60)}},
+         flat(60));
+  const LawfulCorrection lawful = c.correct();
+  ASSERT_EQ(lawful.correction.changes.size(), 1U);
+  const PathChange& change = lawful.correction.changes.front();
+  EXPECT_EQ(change.move, 1U);
+  EXPECT_TRUE(change.inserted_before.empty());
+  ASSERT_TRUE(change.new_end.has_value());
+  EXPECT_NEAR(change.new_end->tip.z(), -35, 0.01);
+  ASSERT_EQ(lawful.correction.uncorrected.size(), 1U);
+  EXPECT_EQ(lawful.correction.uncorrected.front().move, 2U);
+  EXPECT_FALSE(lawful.correction.uncorrected.front().is_changed);
+}
+
 TEST(CorrectStock, NoMoveOfRandomProgramsBecomesWorseAndChangedOnesAreCleanOrListed) {
   test::Scatter random(7);
   std::size_t changed = 0, freed = 0;

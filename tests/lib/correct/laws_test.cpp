@@ -92,6 +92,28 @@ TEST(Laws, AnInsertedMoveIsHeldToTheVerdictOfTheMoveItIsPartOf) {
   EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2}));
 }
 
+// A feed has a corrected end, or a rapid a corrected start. The motion back to the programmed position still gouges.
+TEST(Laws, AFeedMayGoBackWhereARapidStaysAndARapidMayNot) {
+  for (const bool is_rapid_back : {false, true}) {
+    Two two;
+    two.before.moves[2].kind = two.after.moves[2].kind = MoveKind::rapid;
+    for (const std::size_t i : {1U, 2U}) two.was.verdicts[i] = verdict(MoveState::gouge, 0.1);
+    const Pose high = paths::upright(10, 0, 1);
+    two.is.verdicts.assign(4, verdict(MoveState::gouge, 0.1));
+    two.is.verdicts[0] = two.is.verdicts[1] = verdict(MoveState::clean);
+    two.after.moves.insert(two.after.moves.begin() + 2, two.after.moves[is_rapid_back ? 2 : 1]);
+    two.after.moves[1].end = high;
+    two.after.moves[2].end = two.before.moves[1].end;
+    two.changes = {{1, std::nullopt, {high}}};
+    if (is_rapid_back) two.changes = {{1, high, {}}, {2, std::nullopt, {two.before.moves[1].end}}};
+    EXPECT_EQ(two.worse(), is_rapid_back ? std::vector<std::size_t>{2} : std::vector<std::size_t>{});
+    // Before another feed the motion back to the end serves no purpose.
+    two.before.moves[2].kind = two.after.moves[3].kind = MoveKind::feed;
+    if (is_rapid_back) two.after.moves[2].kind = MoveKind::feed;
+    EXPECT_EQ(two.worse(), is_rapid_back ? std::vector<std::size_t>{} : std::vector<std::size_t>{1});
+  }
+}
+
 TEST(Laws, AnArcThatReadsAsAnotherIsWorseHoweverCleanItIs) {
   Two two;
   const PathArc arc{Vec3(15, 0, 0), Vec3::UnitZ(), 3};
