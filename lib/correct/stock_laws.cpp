@@ -74,7 +74,8 @@ StockLaws::Examined StockLaws::examine(const Correction& correction, const Check
         examined.sought.push_back(i);
         examined.found.push_back(verdict);
       }
-      if (is_no_worse(i, found, k, is_new_rapid)) continue;
+      const bool replaces_feed = runs_rapid(after.path->moves[k]) && !runs_rapid(path_.moves[i]);
+      if (is_no_worse(i, found, k, {is_new_rapid, replaces_feed})) continue;
       const std::vector<std::size_t> blamed = blame(i, correction.changes, finding_of(found, k));
       examined.blamed.insert(examined.blamed.end(), blamed.begin(), blamed.end());
     }
@@ -84,13 +85,13 @@ StockLaws::Examined StockLaws::examine(const Correction& correction, const Check
   return examined;
 }
 
-bool StockLaws::is_no_worse(std::size_t move, const StockResult& after, std::size_t piece, bool is_new_rapid) const {
+bool StockLaws::is_no_worse(std::size_t move, const StockResult& after, std::size_t piece, RapidPiece rapid) const {
   if (is_clear(after, piece)) return true;
-  if (is_clear(found_, move)) return false;
+  if (is_clear(found_, move) || rapid.replaces_feed) return false;
   const StockFinding* const was = finding_of(found_, move);
   const StockFinding* const is = finding_of(after, piece);
   const bool meets_stock = is != nullptr && is->witness;
-  if (was == nullptr || !was->witness) return !(is_new_rapid && meets_stock);
+  if (was == nullptr || !was->witness) return !(rapid.is_new && meets_stock);
   if (!meets_stock) return false;
   const double gap = depth_gap_mm(was->witness->depth_mm, setup_.stock->options);
   return is->witness->depth_mm <= was->depth_upper_mm && is->depth_upper_mm <= was->depth_upper_mm + gap;

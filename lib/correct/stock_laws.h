@@ -13,7 +13,8 @@ namespace gouge {
 ///
 /// A move that was clear of stock stays clear. One that meets stock comes no deeper into it, and does not become
 /// uncertain. One that was not certified may prove to meet stock, unless it is a changed rapid: an earlier correction can
-/// make that known. All states are those of a whole path with the material that its own moves leave.
+/// make that known. A rapid in place of a feed is clear of stock. All states are those of a whole path with the material
+/// that its own moves leave.
 class StockLaws {
  public:
   /// Checks the path against its stock. `result` is that of its check without stock. All objects must outlive this.
@@ -43,8 +44,10 @@ class StockLaws {
   void forget();
 
  private:
-  [[nodiscard]] bool is_no_worse(std::size_t move, const StockResult& after, std::size_t piece,
-                                 bool is_new_rapid) const;
+  struct RapidPiece {
+    bool is_new = false, replaces_feed = false;
+  };
+  [[nodiscard]] bool is_no_worse(std::size_t move, const StockResult& after, std::size_t piece, RapidPiece rapid) const;
   [[nodiscard]] std::vector<std::size_t> blame(std::size_t move, const std::vector<PathChange>& changes,
                                                const StockFinding* finding) const;
   [[nodiscard]] bool was_cut(std::size_t move, const Vec3& point) const;
