@@ -343,9 +343,11 @@ class LawBook {
   }
 
   // (g): a rapid that was written ends no deeper than it begins, or within the tolerance. Only a programmed rapid may
-  // lead to its programmed end, however deep that is. In stock no rapid goes back to its programmed start.
+  // lead to its programmed end, however deep that is. In stock no rapid goes back to its programmed start, and a rapid in
+  // place of a feed is clear.
   void no_rapid_plunges(std::size_t i) {
     const Move& old = c_.before->moves[i];
+    const auto is_open = [](MoveState state) { return state != MoveState::clean && state != MoveState::near_miss; };
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
       const Move& move = c_.after->moves[k];
       const bool is_as_programmed = old.kind == MoveKind::rapid && (move.end.tip - old.end.tip).norm() <= kRounding_mm;
@@ -358,6 +360,8 @@ class LawBook {
       const bool is_in_stock = c_.in_stock != nullptr && c_.in_stock->verdicts[k].state == MoveState::gouge;
       if (is_in_stock && old.has_start && (move.end.tip - c_.before->start_of(i).tip).norm() <= kRounding_mm)
         say('g', i, "a rapid that was written goes back into the stock");
+      if (c_.in_stock != nullptr && old.kind == MoveKind::feed && is_open(c_.in_stock->verdicts[k].state))
+        say('g', i, "a rapid in place of a feed may meet stock");
     }
   }
 
