@@ -246,11 +246,11 @@ class JobLoader {
   void assume_inputs() {
     SetupBasis& basis = job_.basis;
     const bool has_tolerances = !arguments_.tip_tolerance.empty() || !arguments_.axis_tolerance.empty();
-    if (job_.machine)
-      std::ranges::move(
-          machine_facts(*job_.machine, {arguments_.machine, job_.options.check.tube, has_tolerances}, job_.toolpath),
-          std::back_inserter(basis.inputs));
-    if (auto fact = dogleg_fact(job_.toolpath, job_.options.check.law, job_.machine ? &*job_.machine : nullptr))
+    const Machine* const machine = job_.machine ? &*job_.machine : nullptr;
+    std::ranges::move(
+        machine_facts(machine, {arguments_.machine, job_.options.check.tube, has_tolerances}, job_.toolpath),
+        std::back_inserter(basis.inputs));
+    if (auto fact = rapid_fact(job_.toolpath, job_.options.check.law, machine))
       basis.inputs.push_back(std::move(*fact));
     if (!job_.heads().empty())
       std::ranges::move(head_facts(job_.toolpath, job_.assemblies, job_.machine ? job_.machine->name : ""),

@@ -184,14 +184,14 @@ CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathT
                                            path.content().path, understood.options.law))
       raise(*error);
     basis.law_evidence = chosen.law_evidence;
-    const bool has_tolerances = options.tip_tolerance > 0 || options.axis_tolerance > 0;
-    std::ranges::move(gouge::machine_facts(chosen.machine, {options.machine, understood.options.tube, has_tolerances},
-                                           path.content().path),
-                      std::back_inserter(basis.inputs));
     path = with_joints(path, *understood.machine);
   }
   const gouge::Machine* const machine = understood.machine == nullptr ? nullptr : &understood.machine->chosen.machine;
-  if (auto fact = gouge::dogleg_fact(path.content().path, understood.options.law, machine))
+  const bool has_tolerances = options.tip_tolerance > 0 || options.axis_tolerance > 0;
+  std::ranges::move(
+      gouge::machine_facts(machine, {options.machine, understood.options.tube, has_tolerances}, path.content().path),
+      std::back_inserter(basis.inputs));
+  if (auto fact = gouge::rapid_fact(path.content().path, understood.options.law, machine))
     basis.inputs.push_back(std::move(*fact));
   std::shared_ptr<const PathStock> stock =
       make_path_stock(options, understood.options, path.content().path, taken.content().index->scene().parts,

@@ -8,6 +8,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
 #include "lib/path/run_kind.h"
+#include "postproc/gcode/running/program_setup.h"
 
 namespace gouge {
 namespace {
@@ -41,19 +42,31 @@ Assumption kinematics_fact(const Machine& machine, const std::string& typed, con
   return fact;
 }
 
-Assumption smoothing_fact(const Machine& machine, const MotionTube& tube, bool has_tolerances) {
-  const Control& control = machine.control;
-  const bool has_stated = has_tolerances || control.tip_tolerance_mm > 0 || control.axis_tolerance_rad > 0;
+bool has_tolerances(const Control& control) { return control.tip_tolerance_mm > 0 || control.axis_tolerance_rad > 0; }
+
+Assumption smoothing_fact(const Machine* machine, const MachineStatement& stated, const Toolpath& path) {
   Assumption fact{.subject = Subject::smoothing, .value = "none", .code = "control-smoothing"};
+  const MotionTube& tube = stated.tube;
   if (!tube.is_empty())
     fact.value = display_text(tube.tip_mm, 6) + " mm and " + display_text(tube.axis_rad / kDegree_rad, 6) + " degrees";
-  fact.basis = has_stated ? Basis::stated : Basis::by_default;
-  fact.evidence = !has_stated      ? "neither options nor the machine file state a tolerance of the control"
-                  : has_tolerances ? "stated by the options"
-                                   : "control " + control.name + " of machine " + machine.name;
   fact.remedy =
       "give --tip-tolerance and --axis-tolerance (0 for none), or state with --assume smoothing that the "
       "control keeps to its law";
+  if (stated.has_tolerances) {
+    fact.basis = Basis::stated;
+    fact.evidence = "stated by the options";
+  } else if (machine != nullptr && has_tolerances(machine->control)) {
+    fact.basis = Basis::stated;
+    fact.evidence = "control " + machine->control.name + " of machine " + machine->name;
+  } else if (path.smoothing_line > 0) {
+    fact.basis = Basis::unknown;
+    fact.file = path.file;
+    fact.line = path.smoothing_line;
+    fact.evidence = "text for the control in line " + std::to_string(path.smoothing_line) +
+                    " lets it leave the path, and no tolerance is stated";
+  } else {
+    fact.evidence = "neither options nor the machine file state a tolerance of the control";
+  }
   return fact;
 }
 
@@ -79,14 +92,20 @@ bool is_upright(const Toolpath& path, std::size_t move) {
   return path.moves[move].end.axis == Vec3(Vec3::UnitZ()) && path.start_of(move).axis == Vec3(Vec3::UnitZ());
 }
 
-}  // namespace
-
-Assumptions machine_facts(const Machine& machine, const MachineStatement& stated, const Toolpath& path) {
-  return {kinematics_fact(machine, stated.typed, path), smoothing_fact(machine, stated.tube, stated.has_tolerances)};
+/// Returns the rapids in which several of X, Y and Z move, or the tool turns.
+std::vector<std::size_t> rapids_of_several_axes(const Toolpath& path) {
+  std::vector<std::size_t> rapids;
+  for (std::size_t i = 1; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    if (!move.has_start || move.kind != MoveKind::rapid) continue;
+    const Pose& start = path.start_of(i);
+    const auto axes = ((move.end.tip - start.tip).array().abs() > Tolerance::kRounding_mm).count();
+    if (axes > 1 || move.end.axis != start.axis) rapids.push_back(i);
+  }
+  return rapids;
 }
 
-std::optional<Assumption> dogleg_fact(const Toolpath& path, const MotionLaw& law, const Machine* machine) {
-  if (law.rapid() != RapidMode::dogleg) return std::nullopt;
+std::optional<Assumption> dogleg_fact(const Toolpath& path, const Machine* machine) {
   std::vector<std::size_t> rapids;
   for (std::size_t i = 1; i < path.moves.size(); ++i)
     if (path.moves[i].has_start && runs_rapid(path.moves[i])) rapids.push_back(i);
@@ -116,6 +135,29 @@ std::optional<Assumption> dogleg_fact(const Toolpath& path, const MotionLaw& law
   } else {
     fact.evidence = "the tool is tilted in rapids, and a table that turns would turn the axes too";
   }
+  return fact;
+}
+
+}  // namespace
+
+Assumptions machine_facts(const Machine* machine, const MachineStatement& stated, const Toolpath& path) {
+  Assumptions facts;
+  if (machine != nullptr) facts.push_back(kinematics_fact(*machine, stated.typed, path));
+  if (machine != nullptr || path.smoothing_line > 0) facts.push_back(smoothing_fact(machine, stated, path));
+  return facts;
+}
+
+std::optional<Assumption> rapid_fact(const Toolpath& path, const MotionLaw& law, const Machine* machine) {
+  if (law.rapid() == RapidMode::dogleg) return dogleg_fact(path, machine);
+  const bool is_stated = machine != nullptr || path.dialect == kProgramDialect || law.rapid() == RapidMode::skip;
+  const std::vector<std::size_t> rapids = rapids_of_several_axes(path);
+  if (is_stated || rapids.empty()) return std::nullopt;
+  Assumption fact{.subject = Subject::motion_law, .object = "rapids", .value = "straight", .code = "rapid-axes"};
+  fact.file = path.file;
+  fact.line = path.moves[rapids.front()].line;
+  fact.evidence =
+      "several axes move in " + count_text(rapids.size(), "rapid") + ", and no file states that they run straight";
+  fact.remedy = "state it with --assume motion-law=rapids, or check the other way with --rapid dogleg";
   return fact;
 }
 

@@ -27,24 +27,48 @@ std::shared_ptr<const JointPath> joints_at(const RotaryAngles& angles) {
 }
 
 Basis basis_of(const Toolpath& path, const Machine* machine) {
-  return dogleg_fact(path, MotionLaw(RapidMode::dogleg), machine).value().basis;
+  return rapid_fact(path, MotionLaw(RapidMode::dogleg), machine).value().basis;
 }
 
 TEST(MachineFacts, ATurnedFrameContradictsAMachineWithoutAPartZero) {
   const Machine machine = test::machines()[0];
   Toolpath path;
-  EXPECT_EQ(machine_facts(machine, {}, path)[0].basis, Basis::stated);
+  EXPECT_EQ(machine_facts(&machine, {}, path)[0].basis, Basis::stated);
   path.has_turned_frame = true;
-  EXPECT_EQ(machine_facts(machine, {}, path)[0].basis, Basis::contradicted);
-  EXPECT_EQ(machine_facts(place_part(machine, {}), {}, path)[0].basis, Basis::stated);
+  EXPECT_EQ(machine_facts(&machine, {}, path)[0].basis, Basis::contradicted);
+  const Machine placed = place_part(machine, {});
+  EXPECT_EQ(machine_facts(&placed, {}, path)[0].basis, Basis::stated);
+}
+
+TEST(MachineFacts, ASmoothingOfThePathNeedsATolerance) {
+  Toolpath path;
+  EXPECT_TRUE(machine_facts(nullptr, {}, path).empty());
+  path.smoothing_line = 7;
+  const Assumption open = machine_facts(nullptr, {}, path).at(0);
+  EXPECT_EQ(open.basis, Basis::unknown);
+  EXPECT_EQ(open.line, 7U);
+  EXPECT_EQ(machine_facts(nullptr, {"", {}, true}, path).at(0).basis, Basis::stated) << "--tip-tolerance 0";
+  Machine machine = test::machines()[0];
+  EXPECT_EQ(machine_facts(&machine, {}, path).at(1).basis, Basis::unknown);
+  machine.control.tip_tolerance_mm = 0.01;
+  EXPECT_EQ(machine_facts(&machine, {}, path).at(1).basis, Basis::stated);
+}
+
+TEST(RapidFact, StraightRapidsOfSeveralAxesAreADefaultWithoutAMachine) {
+  Toolpath path = path_of_rapids();
+  EXPECT_EQ(rapid_fact(path, RapidMode::straight, nullptr).value().basis, Basis::by_default);
+  EXPECT_FALSE(rapid_fact(path, RapidMode::skip, nullptr));
+  const Machine machine = test::machines()[0];
+  EXPECT_FALSE(rapid_fact(path, RapidMode::straight, &machine)) << "the law of its control keeps the tip on its line";
+  path.moves[1].end.tip = Vec3(30, 0, 0);
+  EXPECT_FALSE(rapid_fact(path, RapidMode::straight, nullptr)) << "one axis alone";
 }
 
 TEST(DoglegFact, IsListedWhereARapidRunsSo) {
   Toolpath path = path_of_rapids();
-  EXPECT_FALSE(dogleg_fact(path, RapidMode::straight, nullptr));
-  EXPECT_TRUE(dogleg_fact(path, RapidMode::dogleg, nullptr));
+  EXPECT_TRUE(rapid_fact(path, RapidMode::dogleg, nullptr));
   path.moves[1].kind = MoveKind::feed;
-  EXPECT_FALSE(dogleg_fact(path, RapidMode::dogleg, nullptr));
+  EXPECT_FALSE(rapid_fact(path, RapidMode::dogleg, nullptr));
 }
 
 TEST(DoglegFact, WithoutAMachineTheToolMustBeUpright) {
@@ -68,7 +92,7 @@ TEST(DoglegFact, ATableThatTurnsTheLinearAxesContradictsIt) {
   EXPECT_EQ(basis_of(path, &table), Basis::derived) << "X runs along Y of the part";
   path.joints = joints_at({0.3, 0});
   EXPECT_EQ(basis_of(path, &table), Basis::contradicted);
-  EXPECT_EQ(dogleg_fact(path, RapidMode::dogleg, &table)->line, 4U);
+  EXPECT_EQ(rapid_fact(path, RapidMode::dogleg, &table)->line, 4U);
   RigidTransform turned;
   turned.rotation = Eigen::AngleAxisd(0.3, Vec3::UnitZ()).toRotationMatrix();
   const Machine placed = place_part(head, turned);

@@ -69,7 +69,7 @@ TEST(MachineCheck, KnowsThatIntervalsNeedLinearJointsBesideEachOther) {
     "control": {"name": "any", "feed_law": "axis", "rapid_law": "joint"}})");
   const Outcome ran = run_gougecheck(folder, {"machine", "check", "split.json", "--tool-length", "100"});
   EXPECT_EQ(ran.exit_status, 4);
-  EXPECT_TRUE(has(ran.out, "joint: needs single values in place of intervals")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "joint: needs the part zero (--zero) and single values in place of intervals")) << ran.out;
   EXPECT_TRUE(has(ran.out, "axis: can be used")) << ran.out;
 }
 

@@ -74,6 +74,7 @@ void take_opskip(States& s) {
 void take_machine_text(States& s, const MachineEffect& effect) {
   const bool is_other_unit = effect.unit && std::abs(mm_per(*effect.unit) - s.frame.mm_per_unit()) > 0;
   if (effect.is_unknown) return take_unknown_statement(s);
+  if (effect.smooths && s.smoothing_line == 0) s.smoothing_line = s.in.line();
   const bool moves = effect.moves || effect.changes_tool;
   const bool shifts = effect.shifts || is_other_unit;
   if (!effect.work_offset.empty()) choose_offset(s, effect.work_offset);

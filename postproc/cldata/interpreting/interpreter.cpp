@@ -147,6 +147,7 @@ void Interpreter::gather_facts() {
   facts_.frame_line = s.frame.line();
   facts_.has_turned_frame = s.frame.has_turned();
   facts_.offset_line = s.offsets_chosen.first_line;
+  facts_.smoothing_line = s.smoothing_line;
 }
 
 std::shared_ptr<const MotionRecords> read_motion_records(const Toolpath& path, OpenStatements open) {

@@ -134,6 +134,7 @@ struct States {
   PartProgram program{in};
   std::string work_offset;               ///< the work offset of the positions; empty: none is chosen
   Tally offsets_chosen;                  ///< work offsets chosen by text for the machine's control
+  std::size_t smoothing_line = 0;        ///< first text for the control that lets it leave the path; 0: none
   bool is_unknown_in_block = false;      ///< the open block contains a statement that is not understood
   std::optional<PendingInsert> pending;  ///< text that is the name of a tool if a CUTTER follows
   bool is_world_stated = false;          ///< there was a TRNTYP/WORLD

@@ -13,6 +13,7 @@ namespace gouge {
 
 enum class ControlMeaning : std::uint8_t {
   harmless,
+  smooths,           ///< the control may leave the path, if an address of the code or a value is not 0
   length,            ///< changes the tool length in the control
   path,              ///< moves if the block has axes
   moves,             ///< always moves
@@ -52,9 +53,10 @@ struct ControlWord {
   std::string_view word;
   ControlForm form;
   std::string_view source;
+  ControlMeaning meaning = ControlMeaning::harmless;  ///< or smooths
 };
 
-/// Returns a word without effect in the form of its row, or null.
+/// Returns a word that moves and changes nothing, or null.
 [[nodiscard]] const ControlWord* find_control_word(std::string_view word);
 
 /// A whole block of a Heidenhain control.

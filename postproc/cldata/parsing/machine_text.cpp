@@ -46,6 +46,7 @@ void take_meaning(ControlMeaning meaning, Tokens tokens, bool has_axes, MachineE
   using enum ControlMeaning;
   switch (meaning) {
     case harmless:
+    case smooths:  // its values decide
       return;
     case length:
       effect.changes_length = true;
@@ -122,6 +123,13 @@ std::string offset_of(Tokens values) {
   return name;
 }
 
+// Returns whether a code smooths the path. A code without addresses always does, another one by values that are not 0.
+bool is_smoothing(const ControlCode& row, Tokens tokens) {
+  if (row.meaning != ControlMeaning::smooths) return false;
+  const auto has_value = [&](const Token& t) { return is_address_of(t, row.addresses) && std::abs(*t.number) > 0; };
+  return row.addresses.empty() || std::ranges::any_of(tokens, has_value);
+}
+
 // Takes a block of addresses. Every code must be in the list, and every other address must be known or belong to a
 // code.
 void take_addresses(Tokens tokens, MachineEffect& effect) {
@@ -148,6 +156,7 @@ void take_addresses(Tokens tokens, MachineEffect& effect) {
   for (const Token& code : codes) {
     for (const ControlCode* row : find_control_code(static_cast<char>(code.letters[0] & ~0x20), *code.number)) {
       take_meaning(row->meaning, tokens, has_axes, effect);
+      effect.smooths = effect.smooths || is_smoothing(*row, tokens);
       if (row->meaning == ControlMeaning::offset) effect.work_offset = offset_of(code, *row, tokens);
     }
   }
@@ -210,6 +219,9 @@ std::optional<MachineEffect> read_phrase(Tokens tokens) {
     if (!is_whole) continue;
     MachineEffect effect;
     take_meaning(phrase.meaning, rest, false, effect);
+    if (phrase.meaning == ControlMeaning::smooths)
+      effect.smooths =
+          std::ranges::any_of(rest, [](const Token& t) { return is_address_of(t, "T") && std::abs(*t.number) > 0; });
     if (phrase.meaning == ControlMeaning::offset) effect.work_offset = offset_of(rest);
     return effect;
   }
@@ -233,6 +245,14 @@ std::optional<std::string_view> behind_values(std::string_view after) {
   return std::nullopt;
 }
 
+// Returns whether the brackets after a word hold a value that is not 0: CYCLE832(0.1), not CYCLE832() or CYCLE832(0,0,1).
+bool has_value_in_brackets(std::string_view after) {
+  if (!after.starts_with('(')) return true;
+  const std::string_view values = after.substr(1);
+  const auto first = parse_number(trim(values.substr(0, values.find_first_of(",)"))));
+  return first && std::abs(*first) > 0;
+}
+
 // Reads a word of the list, and the arguments that its row allows.
 std::optional<MachineEffect> read_word(std::string_view text) {
   std::size_t length = 0;
@@ -250,7 +270,9 @@ std::optional<MachineEffect> read_word(std::string_view text) {
   if (word->form == ControlForm::values) rest = behind_values(after);
   if (!rest || (word->form == ControlForm::alone && !after.empty())) return unknown();
   const std::vector<Token> tokens = machine_tokens(*rest);
-  return tokens.empty() ? MachineEffect{} : read_addresses(tokens);
+  MachineEffect effect = tokens.empty() ? MachineEffect{} : read_addresses(tokens);
+  effect.smooths = effect.smooths || (word->meaning == ControlMeaning::smooths && has_value_in_brackets(after));
+  return effect;
 }
 
 // Returns whether text in brackets is a function of an Osai control, not a comment: (UAO,2), (MIR,X), (ERP).

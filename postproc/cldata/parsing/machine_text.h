@@ -23,6 +23,7 @@ struct MachineEffect {
   bool changes_tool = false;       ///< M6, TOOL CALL
   bool changes_length = false;     ///< changes the tool length in the control: G43, G44, G49
   bool ends_program = false;       ///< M2, M30
+  bool smooths = false;            ///< the control may leave the path: G187 P3, CYCLE832(0.1), G642
   bool is_unknown = false;         ///< a word is not in the list: it may have any effect
   std::string work_offset;         ///< the work offset that it chooses ("G54", "G54.1P3"); empty: none
   std::optional<LengthUnit> unit;  ///< unit of later numbers (G20, G21, G70, G71)

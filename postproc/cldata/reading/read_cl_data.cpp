@@ -347,6 +347,7 @@ ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const D
   path.assumptions = assume_file(path, guess, dialect, options.dialect.has_value(), facts);
   compare_with_feeds(guess, interpreter.feed_units(), path.assumptions);
   path.has_turned_frame = facts.has_turned_frame;
+  path.smoothing_line = facts.smoothing_line;
   path.origins = records;
   if (!options.unnamed_tool.empty()) name_unnamed_tool(options.unnamed_tool, path);
   outcome.toolpath = std::move(path);

@@ -126,6 +126,17 @@ TEST(MachineText, ReportsWhatHeidenhainWordsDo) {
   EXPECT_EQ(effects("M129"), "s");
 }
 
+TEST(MachineText, ReportsThatAControlMayLeaveThePath) {
+  for (const char* text : {"G64 P0.1", "G187 P3", "G187 E0.05", "G5.1 Q1", "G642", "CYCLE832(0.1)",
+                           "CYCLE832(0.5,_SEMIFIN,1)", "COMPCAD", "CYCL DEF 32.1 T0.05", "N10 G1 G187 P2"}) {
+    EXPECT_TRUE(read_machine_text(text).smooths) << text;
+    EXPECT_FALSE(read_machine_text(text).is_unknown) << text;
+  }
+  for (const char* text :
+       {"G64", "G187", "G5.1 Q0", "G61", "CYCLE832()", "CYCLE832(0,0,1)", "COMPOF", "CYCL DEF 32.0 TOLERANCE", "M8"})
+    EXPECT_FALSE(read_machine_text(text).smooths) << text;
+}
+
 TEST(MachineText, TakesCommentsForComments) {
   EXPECT_EQ(effects("(G92 Z0)"), "");
   EXPECT_EQ(effects("M8 (COOLANT ON, Z-50)"), "");
