@@ -161,11 +161,11 @@ struct Toolpath {
   std::vector<std::string> harmless_words;                  ///< words that, as the user states, cause no motion and no
                                                             ///< change
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> number of times; reported to the user
-  Diagnostics notes;              ///< warnings and notes of the reader; an error makes reading fail instead
-  Assumptions assumptions;        ///< unit, dialect, completeness, statements and frame of a file that was read
-  std::string work_offset;        ///< in whose coordinates the positions of a program are; empty: in part coordinates
+  Diagnostics notes;               ///< warnings and notes of the reader; an error makes reading fail instead
+  Assumptions assumptions;         ///< unit, dialect, completeness, statements and frame of a file that was read
+  std::string work_offset;         ///< in whose coordinates the positions of a program are; empty: in part coordinates
   std::size_t smoothing_line = 0;  ///< first line of text for the control that lets it leave the path; 0: none
-  bool has_turned_frame = false;  ///< in some moves the X, Y and Z of the file are not those of the part
+  bool has_turned_frame = false;   ///< in some moves the X, Y and Z of the file are not those of the part
   /// Null if the path was read without them; a caller that needs them then reads the file again.
   std::shared_ptr<const MoveOrigins> origins;
   std::shared_ptr<const JointPath> joints;  ///< for the machine of the check; null: none
