@@ -1,6 +1,7 @@
 #include "postproc/gcode/iso/block_runner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lib/base/number_text.h"
@@ -79,6 +80,7 @@ void BlockRunner::take_modes() {
   if (words_.has('T')) take_tool();
   if (motion_.is_rest_unknown()) return;
   if (words_.row_of(Meaning::tool_change) != nullptr) change_tool();
+  const double height_mm = motion_.place().xyz.z();
   for (const GcodeRow* row : words_.rows()) take_path_control(*row);
   take_lengths();
   for (const GcodeRow* row : words_.rows()) {
@@ -90,6 +92,15 @@ void BlockRunner::take_modes() {
       motion_.end_doubt(ProgramDoubt::frame);
     }
   }
+  note_level_of_cycle(height_mm);
+}
+
+// No manual at hand states whether the level to which a cycle retracts stays where it is in the machine.
+void BlockRunner::note_level_of_cycle(double before_mm) {
+  const bool is_cycle = modes_.motion != nullptr && modes_.motion->meaning == Meaning::cycle;
+  if (is_cycle && std::abs(motion_.place().xyz.z() - before_mm) > 0)
+    cycle_.open = "the work offset, the length or the frame changes" + in_line(line_) +
+                  " while a cycle is in force, and Z of the level at which it began with it; expected G80 before it";
 }
 
 // Makes a tool ready for the next change.

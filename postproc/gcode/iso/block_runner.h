@@ -76,6 +76,7 @@ class BlockRunner {
   };
 
   void take_modes();
+  void note_level_of_cycle(double before_mm);
   void take_tool();
   void take_code(const GcodeRow& row);
   void take_path_control(const GcodeRow& row);

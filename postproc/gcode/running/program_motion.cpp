@@ -77,7 +77,8 @@ const std::string* ProgramMotion::first_doubt() const {
 
 ProgramMotion::Reached ProgramMotion::reached(const AxisPlace& to) {
   const AxisMap& map = map_at(to);
-  if (!map.open.empty()) return {{}, map.open};
+  const bool has_lost_angles = !lost_angles_.empty() && !has_axis(to);
+  if (!map.open.empty()) return {{}, has_lost_angles ? lost_angles_ : map.open};
   if (!is_complete(to.xyz))
     return {{},
             chain_.last_pose() ? "the place of the tool is not known"

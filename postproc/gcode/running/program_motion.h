@@ -130,7 +130,8 @@ class ProgramMotion {
   [[nodiscard]] std::optional<Vec3> direction_in_part(const Vec3& direction);
   /// Returns whether the work offset turns a rotary joint.
   [[nodiscard]] bool has_turned_offset() const;
-  [[nodiscard]] double angle_from_program(std::size_t rotary, double degrees) const;
+  /// Returns the angle of a joint, in rad, that the block which runs states.
+  [[nodiscard]] double angle_from_program(std::size_t rotary, double degrees);
   [[nodiscard]] TipControl tip_control() const { return state_.tip_control; }
   [[nodiscard]] const AxisMapper& mapper() const { return mapper_; }
 
@@ -166,6 +167,7 @@ class ProgramMotion {
   [[nodiscard]] std::string why_not_motion(MoveKind kind, const AxisPlace& to, bool is_arc) const;
   template <typename Change>
   void change_state(const Change& change);
+  void move_part_to(const std::string& name);
   void settle_length();
   [[nodiscard]] std::string why_sideways() const;
   void add(Move& move, const AxisPlace& to, const Reached& reached, std::string reason);
@@ -215,7 +217,9 @@ class ProgramMotion {
   std::size_t tools_loaded_ = 0;
   std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
   bool are_rapids_together_ = false, has_unknown_step_ = false;
-  std::string lost_place_;  // why coordinates before the first place are not known; empty: none is stated
+  std::string lost_place_;   // why coordinates before the first place are not known; empty: none is stated
+  std::string lost_angles_;  // why the angles of rotary joints are not known any more; empty: none is lost
+  std::array<bool, 2> is_angle_of_start_{};  // of rotary joints: the blocks in force at the start state them
   std::shared_ptr<JointPath> joints_;
   Tally approach_, unknown_angles_;
 };

@@ -8,6 +8,7 @@
 #include "lib/base/units.h"
 #include "postproc/gcode/language/gcode_block.h"
 #include "postproc/gcode/running/program_motion.h"
+#include "postproc/gcode/running/program_text.h"
 
 namespace gouge {
 namespace {
@@ -73,10 +74,37 @@ void ProgramMotion::end_doubt(ProgramDoubt kind) {
   chain_.lose_last_pose(lasting_text("the place at which the motion begins is not known"));
 }
 
+// A program that has no position yet takes its part along. Coordinates that it has stated stay where they are in the machine.
+void ProgramMotion::move_part_to(const std::string& name) {
+  const auto from = setup_.offsets.find(offset_name_), to = setup_.offsets.find(name);
+  part_offset_ = name;
+  if (from != setup_.offsets.end() && to != setup_.offsets.end()) {
+    if (!setup_.zero) state_.shift_mm = from->second.xyz_mm - to->second.xyz_mm;
+    is_map_current_ = false;
+    return;
+  }
+  const std::string reason = "the program changes from work offset " + offset_name_ + " to " + name + in_line(line_) +
+                             ", and coordinates before it are those of " + offset_name_ +
+                             "; expected them again after the change, or --offset " + offset_name_ +
+                             "=X,Y,Z and --offset " + name + "=X,Y,Z";
+  const Vec3& xyz = place_.xyz;
+  if (is_known(xyz.x()) || is_known(xyz.y()) || is_known(xyz.z())) lost_place_ = reason;
+  place_.xyz.setConstant(AxisPlace::kUnknownCoordinate);
+  if (!mapper_.has_machine()) return;
+  place_.axis.reset();
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (is_angle_of_start_.at(k) || !is_known(place_.angles.at(k))) continue;
+    place_.angles.at(k) = AxisPlace::kUnknownCoordinate;
+    lost_angles_ = offset_name_.empty() ? "rotary joints are stated before work offset " + name + in_line(line_) +
+                                              "; expected them after it, or --start " + name
+                                        : reason;
+  }
+}
+
 void ProgramMotion::choose_offset(const std::string& name) {
   if (name == offset_name_) return;
   const bool has_position = !builder_.path.moves.empty() || !builder_.path.approaches.empty();
-  if (part_offset_.empty() || !has_position) part_offset_ = name;
+  if (part_offset_.empty() || !has_position) move_part_to(name);
   const auto found = setup_.offsets.find(name), of_part = setup_.offsets.find(part_offset_);
   const bool is_given = found != setup_.offsets.end();
   const auto shift_of = [&](const WorkOffset& offset) {
@@ -109,7 +137,8 @@ bool ProgramMotion::has_turned_offset() const {
   return mapper_.has_machine() && std::ranges::any_of(angle_shift_, [](double shift) { return std::abs(shift) > 0; });
 }
 
-double ProgramMotion::angle_from_program(std::size_t rotary, double degrees) const {
+double ProgramMotion::angle_from_program(std::size_t rotary, double degrees) {
+  is_angle_of_start_.at(rotary) = line_ == 0;
   return degrees * kDegree_rad + angle_shift_.at(rotary);
 }
 
