@@ -161,8 +161,10 @@ void ProgramRun::run_o_word(std::string_view flow) {
                   " leaves a repeat, whose count then stays; expected to leave it at its end");
     end_call();
   } else if (is_among(word, "if elseif else endif")) {
+    may_jump_ = true;
     run_o_condition(label, word, rest);
   } else {
+    may_jump_ = true;
     run_o_loop(label, word, rest);
   }
 }

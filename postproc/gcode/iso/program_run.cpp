@@ -65,6 +65,7 @@ void ProgramRun::run_block() {
   motion_.begin_block(main_at_, main_->number(main_at_));
   if (names_program(line)) return;
   read_gcode_block(line, control_.syntax, variables_, block_);
+  may_jump_ = may_jump_ || block_.is_skippable || (!control_.syntax.has_o_words && !block_.flow.empty());
   if (is_left_out()) return;
   if (block_.error.empty() && !block_.flow.empty() && !motion_.is_rest_unknown()) {
     if (!block_.words.empty() || !block_.assignments.empty()) return lose("words before a statement of program flow");

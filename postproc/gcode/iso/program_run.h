@@ -33,6 +33,8 @@ class ProgramRun {
   [[nodiscard]] std::size_t end_line() const { return end_line_; }
   /// Returns whether the program begins again at its end.
   [[nodiscard]] bool begins_again() const { return begins_again_; }
+  /// Returns whether a condition, a jump or a switch of the control ran, so that other values may run other blocks.
+  [[nodiscard]] bool may_jump() const { return may_jump_; }
 
  private:
   /// Place to which a call returns, and how often it runs again.
@@ -122,7 +124,7 @@ class ProgramRun {
   /// Structures of the programs that ran, by text and first line.
   std::map<std::pair<const ProgramText*, std::size_t>, BlockStructures> structures_;
   std::size_t end_line_ = 0;
-  bool has_ended_ = false, begins_again_ = false;
+  bool has_ended_ = false, begins_again_ = false, may_jump_ = false;
 };
 
 }  // namespace gouge

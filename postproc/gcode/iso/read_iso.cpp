@@ -4,6 +4,7 @@
 
 #include "lib/base/file_kind.h"
 #include "lib/base/number_text.h"
+#include "postproc/gcode/iso/other_program.h"
 #include "postproc/gcode/iso/program_run.h"
 
 namespace gouge {
@@ -76,6 +77,7 @@ ProgramFacts run_iso(const ControlTable& control, const ProgramInput& input) {
   facts.offset_line = runner.offset_line();
   facts.end_line = run.end_line();
   facts.error = runner.error();
+  facts.other = find_other_program(text, index, input.motion.has_run(), run.may_jump());
   if (facts.end_line == 0 && text.has_end_mark() && !run.begins_again()) facts.end_line = text.number(text.end());
   return facts;
 }

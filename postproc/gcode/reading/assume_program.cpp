@@ -55,6 +55,14 @@ Assumption end_of_program(const ProgramFacts& facts, const ProgramMotion& motion
       fact.remedy = "correct the program, or state words of your shop with --harmless-word";
     }
   }
+  if (fact.basis == Basis::derived && facts.other) {
+    fact.basis = Basis::unknown;
+    fact.value = "not all programs of the file";
+    fact.evidence = facts.other->evidence;
+    fact.line = facts.other->line;
+    fact.remedy =
+        "split the file, and check each program by itself, or state that nothing else runs with --assume complete";
+  }
   if (fact.basis == Basis::derived && approach.count > 0) {
     fact.basis = Basis::by_default;
     fact.value = "whole program without " + count_text(approach.count, "rapid") + " of its approach";

@@ -30,14 +30,21 @@ struct ProgramInput {
   const ProgressCall& progress;
 };
 
+/// Motions of the file that do not run and belong to no subprogram.
+struct OtherProgram {
+  std::string evidence;
+  std::size_t line = 0;
+};
+
 /// Facts that the reader of a language finds, besides the moves.
 struct ProgramFacts {
-  std::size_t unit_line = 0;        ///< block that states the unit; 0: none
-  bool has_assumed_unit = false;    ///< a length stands before the block that states the unit
-  std::string unit_word;            ///< "G20"; Toolpath::unit has the unit
-  std::size_t offset_line = 0;      ///< block that chooses the work offset; 0: none
-  std::size_t end_line = 0;         ///< block that ends the program; 0: none
-  std::optional<Diagnostic> error;  ///< the program cannot be read at all: a rotary word without its machine
+  std::size_t unit_line = 0;          ///< block that states the unit; 0: none
+  bool has_assumed_unit = false;      ///< a length stands before the block that states the unit
+  std::string unit_word;              ///< "G20"; Toolpath::unit has the unit
+  std::size_t offset_line = 0;        ///< block that chooses the work offset; 0: none
+  std::size_t end_line = 0;           ///< block that ends the program; 0: none
+  std::optional<OtherProgram> other;  ///< motions that do not run, and may be those of another program
+  std::optional<Diagnostic> error;    ///< the program cannot be read at all: a rotary word without its machine
 };
 
 /// A control and the reader of its programs. One row a control; no code depends on the row.
