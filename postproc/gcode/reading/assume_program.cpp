@@ -73,10 +73,17 @@ Assumption end_of_program(const ProgramFacts& facts, const ProgramMotion& motion
   return fact;
 }
 
-Assumption words_of_program(const Toolpath& path) {
+Assumption words_of_program(const Toolpath& path, const ProgramFacts& facts) {
   Assumption fact{.subject = Subject::statements, .value = "all understood", .code = "path-words"};
   fact.basis = Basis::derived;
   fact.evidence = count_text(path.statements.size(), "block") + " understood";
+  if (path.words_not_understood.empty() && facts.loading_line > 0) {
+    fact.basis = Basis::by_default;
+    fact.value = "all understood, where T loads its tool at once";
+    fact.evidence = "the program has no M6, so that T is taken to load its tool (MD22550 of 0)";
+    fact.remedy = "load tools by M6 in the program, or state that T loads them with --assume statements";
+    fact.line = facts.loading_line;
+  }
   if (path.words_not_understood.empty()) return fact;
   fact.basis = Basis::unknown;
   fact.value = "not understood to its end";
@@ -122,7 +129,7 @@ Assumption frame_of_program(const ProgramSetup& setup, const ProgramMotion& moti
 Assumptions assume_program(const Toolpath& path, std::string_view control, const GcodeOptions& options,
                            const ProgramMotion& motion, const ProgramFacts& facts) {
   Assumptions all = {unit_of_program(path, options, facts), control_of_program(control, options.setup),
-                     end_of_program(facts, motion), words_of_program(path),
+                     end_of_program(facts, motion), words_of_program(path, facts),
                      frame_of_program(options.setup, motion, facts)};
   for (Assumption& fact : all) fact.file = path.file;
   return all;

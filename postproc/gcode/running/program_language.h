@@ -43,6 +43,7 @@ struct ProgramFacts {
   std::string unit_word;              ///< "G20"; Toolpath::unit has the unit
   std::size_t offset_line = 0;        ///< block that chooses the work offset; 0: none
   std::size_t end_line = 0;           ///< block that ends the program; 0: none
+  std::size_t loading_line = 0;       ///< first T that is taken to load its tool without M6; 0: none
   std::optional<OtherProgram> other;  ///< motions that do not run, and may be those of another program
   std::optional<Diagnostic> error;    ///< the program cannot be read at all: a rotary word without its machine
 };

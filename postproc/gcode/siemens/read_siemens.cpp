@@ -68,6 +68,34 @@ void find_other_programs(const ProgramText& text, const SourceStatements& lines,
   }
 }
 
+bool moves(const SiemensBlock& block) {
+  return std::ranges::any_of(block.words, [](const SiemensWord& word) {
+    return word.name.size() == 1 && std::string_view("XYZABC").find(word.name[0]) != std::string_view::npos;
+  });
+}
+
+/// Finds the first motion that does not run: behind the end of the program, if nothing may lead there, or behind the percent
+/// sign at the end. Subprograms of an archive run by calls alone.
+std::optional<OtherProgram> find_blocks_behind(const ProgramText& text, const std::vector<bool>& has_run,
+                                               bool may_jump) {
+  SiemensBlock block;
+  const SiemensVariables variables;
+  std::size_t last = text.begin();
+  for (std::size_t i = text.begin(); i < text.end(); ++i)
+    if (has_run[i]) last = i + 1;
+  bool is_subprogram = false;
+  for (std::size_t i = may_jump ? text.end() : last; i < text.size(); ++i) {
+    const std::string line = in_capitals(trim_blanks(text.line(i)));
+    if (line.starts_with('%')) is_subprogram = line.ends_with("_SPF");
+    if (line.starts_with('%') || is_subprogram) continue;
+    read_siemens_block(text.line(i), variables, block);
+    if (block.error.empty() && moves(block))
+      return OtherProgram{"blocks stand behind the end of the program, and no jump or call leads to them",
+                          text.number(i)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_siemens_program(std::string_view bytes) {
@@ -99,6 +127,8 @@ ProgramFacts run_siemens(const ProgramInput& input) {
   facts.unit_word = runner.unit_word();
   facts.offset_line = runner.offset_line();
   facts.end_line = run.end_line();
+  facts.loading_line = runner.loading_line();
+  facts.other = find_blocks_behind(text, input.motion.has_run(), run.may_jump());
   facts.error = runner.error();
   return facts;
 }

@@ -59,6 +59,8 @@ void SiemensRun::run() {
 void SiemensRun::run_block() {
   input_.motion.begin_block(main_at_, main_->number(main_at_));
   read_siemens_block(text_->program->line(at_), variables_, block_);
+  const bool is_jump = !block_.flow_word.empty() && block_.flow_word != "DEF" && block_.flow_word != "PROC";
+  may_jump_ = may_jump_ || block_.is_skippable || is_jump;
   if (is_left_out(block_.is_skippable, block_.is_empty())) return;
   if (!block_.flow_word.empty() && !input_.motion.is_rest_unknown()) {
     const std::string word = block_.flow_word;

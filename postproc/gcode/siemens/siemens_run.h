@@ -32,6 +32,8 @@ class SiemensRun {
 
   /// Returns the line of the block that ends the program; 0: it has none.
   [[nodiscard]] std::size_t end_line() const { return end_line_; }
+  /// Returns whether a jump, a condition or a switch of the control ran, so that other values may run other blocks.
+  [[nodiscard]] bool may_jump() const { return may_jump_; }
 
  private:
   using Labels = std::unordered_map<std::string, std::vector<std::size_t>>;
@@ -113,7 +115,7 @@ class SiemensRun {
   std::map<std::string, bool> replaced_;                          // by cycle: whether a program of its name is there
   std::map<std::pair<const Text*, std::size_t>, double> limits_;  // of FOR, by its line
   std::size_t end_line_ = 0;
-  bool has_ended_ = false;
+  bool has_ended_ = false, may_jump_ = false;
 };
 
 }  // namespace gouge

@@ -182,7 +182,9 @@ void SiemensRunner::take_length_and_tool() {
   const bool has_stated_tool = words_.value("T") != nullptr;
   if (has_stated_tool && (words_.has_axes() || words_.has_arc_words()))
     return lose_rest("T stands in a block with axis words", line_);
-  if (change != nullptr || (has_stated_tool && !changes_tool_by_m6_)) change_tool();
+  const bool loads_at_once = has_stated_tool && !changes_tool_by_m6_;
+  if (loads_at_once && change == nullptr && loading_line_ == 0) loading_line_ = line_;
+  if (change != nullptr || loads_at_once) change_tool();
   if (const SiemensWord* const edge = words_.value("D")) take_length(*edge);
 }
 

@@ -83,6 +83,8 @@ class SiemensRunner {
   [[nodiscard]] std::size_t unit_line() const { return unit_line_; }
   [[nodiscard]] const std::string& unit_word() const { return unit_word_; }
   [[nodiscard]] std::size_t offset_line() const { return offset_line_; }
+  /// Returns the line of the first T that is taken to load its tool without M6; 0: none.
+  [[nodiscard]] std::size_t loading_line() const { return loading_line_; }
   /// Returns an error that no later block can cure: a rotary word without a machine.
   [[nodiscard]] const std::optional<Diagnostic>& error() const { return error_; }
 
@@ -152,7 +154,8 @@ class SiemensRunner {
   bool changes_tool_by_m6_;
   SiemensWords words_;
   SiemensModes modes_;
-  std::size_t line_ = 0, lost_line_ = std::numeric_limits<std::size_t>::max(), unit_line_ = 0, offset_line_ = 0;
+  std::size_t line_ = 0, lost_line_ = std::numeric_limits<std::size_t>::max(), unit_line_ = 0, offset_line_ = 0,
+              loading_line_ = 0;
   std::string unit_word_;
   std::optional<Diagnostic> error_;
 };

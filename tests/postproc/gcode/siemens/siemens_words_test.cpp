@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <numbers>
 
 #include "tests/postproc/gcode/siemens/siemens_program.h"
@@ -164,6 +165,20 @@ TEST(SiemensWords, WithoutM6TChangesTheTool) {
   const Toolpath path = path_of_siemens("G17 G71 G90 G94 G60 G54\nT1 D1\nG0 X0 Y0 Z9\nT2 D1\nG0 X1 Y0 Z9\nM30\n");
   ASSERT_EQ(path.tools.size(), 2U);
   EXPECT_EQ(path.tools[1].number, 2);
+}
+
+// MD22550 states whether T loads the tool, or prepares it.
+TEST(SiemensWords, WithoutM6TheMeaningOfTIsADefault) {
+  const auto fact_of = [](const std::string& change) {
+    const Toolpath path = path_of_siemens("G17 G71 G90 G94 G60 G54\n" + change + " D1\nG0 X0 Y0 Z9\nG1 Z1 F9\nM30\n");
+    return *std::ranges::find(path.assumptions, Subject::statements, &Assumption::subject);
+  };
+  const Assumption fact = fact_of("T1");
+  EXPECT_EQ(fact.basis, Basis::by_default);
+  EXPECT_EQ(fact.line, 2U);
+  EXPECT_NE(fact.evidence.find("MD22550"), std::string::npos) << fact.evidence;
+  EXPECT_NE(fact.remedy.find("M6"), std::string::npos) << fact.remedy;
+  EXPECT_EQ(fact_of("T1 M6").basis, Basis::derived);
 }
 
 TEST(SiemensWords, MessagesNameOperations) {
