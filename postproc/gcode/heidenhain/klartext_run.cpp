@@ -38,6 +38,20 @@ bool is_plain_line(std::string_view line) {
   return line.starts_with("L ") && !line.ends_with('~');
 }
 
+/// Returns whether a statement is a straight line with a coordinate: "L X+10", "L IZ-5".
+bool is_line_to_place(std::string_view text) {
+  if (!text.starts_with("L ")) return false;
+  for (std::size_t at = text.find(' '); at != std::string_view::npos; at = text.find(' ', at + 1)) {
+    std::string_view word = text.substr(at + 1);
+    if (word.starts_with('I')) word.remove_prefix(1);
+    const bool is_axis = !word.empty() && std::string_view("XYZABC").find(word[0]) != std::string_view::npos;
+    if (is_axis && word.size() > 1 &&
+        (is_digit(word[1]) || std::string_view("+-Q").find(word[1]) != std::string_view::npos))
+      return true;
+  }
+  return false;
+}
+
 /// Compares two values. Unknown where they are so close that rounding on the control decides.
 std::optional<bool> compare(int function, double a, double b) {
   constexpr double kRounding = 1e-6;
@@ -105,9 +119,19 @@ void KlartextRun::run() {
     next_ = std::max(block.next_index, at_ + 1);
     run_block(block);
   }
-  for (; runner_.has_ended() && next_ < text_.end(); ++next_) {
+  if (runner_.has_ended()) read_behind_end();
+}
+
+// Another program is refused. Lines behind a label may run by a call or jump; nothing leads to those before the first one.
+void KlartextRun::read_behind_end() {
+  bool has_label = false;
+  for (; next_ < text_.end(); ++next_) {
     const KlartextBlock block = read_klartext_block(text_, next_);
     std::string_view rest = block.text;
+    has_label = has_label || take_keywords(rest, "LBL");
+    if (!has_label && is_line_to_place(block.text))
+      runner_.note_other_program(
+          {"blocks stand behind the end of the program, and no jump or call leads to them", text_.number(next_)});
     if (!take_keywords(rest, "BEGIN PGM")) continue;
     motion_.begin_block(next_, text_.number(next_));
     return runner_.run(block, text_.number(next_), false);

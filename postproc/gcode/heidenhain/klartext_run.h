@@ -35,6 +35,7 @@ class KlartextRun {
   };
 
   void find_labels();
+  void read_behind_end();
   void run_block(const KlartextBlock& block);
   [[nodiscard]] bool run_flow(std::string_view text);
   void meet_label(std::string_view text);

@@ -39,6 +39,10 @@ class KlartextRunner {
 
   [[nodiscard]] bool has_ended() const { return has_ended_; }
   [[nodiscard]] const ProgramFacts& facts() const { return facts_; }
+  /// Notes motions that do not run; the first ones count.
+  void note_other_program(OtherProgram other) {
+    if (!facts_.other) facts_.other = std::move(other);
+  }
 
  private:
   using Words = std::vector<KlartextWord>;
