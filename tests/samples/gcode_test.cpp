@@ -219,6 +219,39 @@ TEST_F(SmallProgram, CutsTheStockInItsOwnWorkOffset) {
   }
 }
 
+// The tool stands at X20 of G54, which is X50 of G55, above the wall.
+TEST_F(SmallProgram, KeepsItsPlaceWhenTheOffsetChanges) {
+  const std::string text =
+      "G21 G17 G90 G94 G40 G49 G80\nT1 M6\nG54\nG0 X20. Y20.\nG55\nG43 H1 Z60.\nG1 Z0. F250.\nY80.\nG0 Z60.\nM30\n";
+  const auto with = [&](const std::vector<std::string>& offsets) {
+    std::vector<std::string> options = {"--control", "haas", "--joint-rapid-law", "joint", "--assume", "placement"};
+    options.insert(options.end(), offsets.begin(), offsets.end());
+    return check(text, Vec3(45, 0, -20), Vec3(55, 100, 20), options);
+  };
+  const Outcome unknown = with({});
+  EXPECT_EQ(unknown.exit_status, 3) << unknown.out << unknown.err;
+  EXPECT_NE(unknown.err.find("--offset G54=X,Y,Z and --offset G55=X,Y,Z"), std::string::npos) << unknown.err;
+  const Outcome in_wall = with({"--offset", "G54=0,0,0", "--offset", "G55=-30,0,0"});
+  EXPECT_EQ(in_wall.exit_status, 1) << in_wall.out << in_wall.err;
+  const Outcome beside = with({"--offset", "G54=0,0,0", "--offset", "G55=0,0,0"});
+  EXPECT_EQ(beside.exit_status, 0) << beside.out << beside.err;
+}
+
+// The second program of the file cuts into the part, and does not run with the first one.
+TEST_F(SmallProgram, WithAnotherOneInItsFileIsNotFullyChecked) {
+  const std::string blocks = "G21 G17 G90 G94 G40 G49 G80\nT1 M6\nG0 X20. Y20.\nG43 H1 Z60.\nG1 Z0. F250.\nY80.\n";
+  const auto with = [&](const std::string& end) {
+    return check("%\nO1000\n" + blocks + "G0 Z60.\nM30\nO2000\n" + blocks + "Z-5.\nG0 Z60.\n" + end + "\n%\n",
+                 Vec3(0, 0, -20), Vec3(100, 100, 0), {"--control", "fanuc", "--joint-rapid-law", "joint"});
+  };
+  const Outcome main_program = with("M30");
+  EXPECT_EQ(main_program.exit_status, 4) << main_program.out << main_program.err;
+  EXPECT_NE(main_program.err.find("program.nc:11: warning: program O2000, which ends with M30,"), std::string::npos)
+      << main_program.err;
+  const Outcome subprogram = with("M99");
+  EXPECT_EQ(subprogram.exit_status, 0) << subprogram.out << subprogram.err;
+}
+
 // No manual states which of both solutions of the rotary joints a control takes for a vector.
 TEST_F(SmallProgram, WithVectorsIsCheckedByTheLawOfVectorsAlone) {
   const std::string text =

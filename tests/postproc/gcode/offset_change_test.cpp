@@ -1,0 +1,123 @@
+// Changes of the work offset while only some coordinates of the approach are known. They move nothing.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/postproc/gcode/program.h"
+
+namespace gouge::offset_change_test {
+namespace {
+
+using test::can_be_clean;
+using test::expect_checked;
+using test::path_of_program;
+using test::read_program;
+using test::reasons_of;
+
+const std::string kHead = "G21 G90 G17 G40 G49 G80 G94\nT1 M6\n", kReason = "coordinates before it are those of ";
+
+ProgramSetup straight_setup() {
+  ProgramSetup setup;
+  setup.are_joint_rapids_straight = true;
+  return setup;
+}
+
+/// G55 is 30 mm to the left of G54, and 7 mm lower.
+ProgramSetup setup_with_offsets() {
+  ProgramSetup setup = straight_setup();
+  setup.offsets["G54"] = WorkOffset{};
+  setup.offsets["G55"].xyz_mm = Vec3(-30, 0, -7);
+  return setup;
+}
+
+TEST(OffsetChange, CoordinatesOfTheOffsetBeforeAreNotTakenOver) {
+  const std::string end = "Z120.\nG1 Z0. F200.\nY80.\nM30\n";
+  const std::vector<std::pair<std::string, std::string>> programs = {
+      {"linuxcnc", kHead + "G54\nG0 X20. Y20.\nG55\nG43 H1 " + end},
+      {"haas", kHead + "G54\nG0 X20. Y20.\nG55\nG43 H1 " + end},
+      {"fanuc", kHead + "G54\nG0 X20. Y20.\nG54.1 P2\nG43 H1 " + end},
+      {"haas", kHead + "G0 X20. Y20.\nG55\nG43 H1 " + end},  // G54 is in force at the start
+      {"siemens", "G54 G17 G71 G90 G40 G60\nT1 M6\nD1\nG0 X20 Y20\nG55\nG0 Z120\nG1 Z0 F200\nY80\nM30\n"},
+      {"heidenhain",
+       "BEGIN PGM A MM\nCYCL DEF 247 DATUM Q339=+1\nTOOL CALL 1 Z S5000\nL X+20 Y+20 R0 FMAX\nCYCL DEF 247 DATUM "
+       "Q339=+2\nL Z+120 FMAX\nL Z+0 F200\nL Y+80\nEND PGM A MM\n"}};
+  for (const auto& [control, text] : programs) {
+    const ReadOutcome outcome = read_program(text, control, straight_setup());
+    EXPECT_FALSE(can_be_clean(outcome)) << control << "\n" << text;
+    EXPECT_NE(reasons_of(outcome).find(kReason), std::string::npos) << control << "\n" << reasons_of(outcome);
+  }
+}
+
+TEST(OffsetChange, TheReasonNamesBothOffsets) {
+  const std::string text = kHead + "G54\nG0 X20. Y20.\nG55\nG43 H1 Z120.\nG1 Z0. F200.\nM30\n";
+  EXPECT_NE(reasons_of(read_program(text, "haas", straight_setup())).find("--offset G54=X,Y,Z and --offset G55=X,Y,Z"),
+            std::string::npos);
+}
+
+TEST(OffsetChange, CoordinatesThatAreStatedAgainAreChecked) {
+  expect_checked(kHead + "G54\nG0 X20. Y20.\nG55\nX20. Y20.\nG43 H1 Z120.\nG1 Z0. F200.\nM30\n", "haas",
+                 straight_setup());
+  test::expect_open(kHead + "G54\nG0 X20. Y20.\nG55\nX20.\nG43 H1 Z120.\nG1 Z0. F200.\nM30\n", "haas", kReason,
+                    straight_setup());
+  expect_checked(kHead + "G54\nG0 X20. Y20.\nT2 M6\nG55\nX20. Y20.\nG43 H2 Z120.\nG1 Z0. F200.\nM30\n", "haas",
+                 straight_setup());
+}
+
+// The tool is at X20 of G54, which is X50 of G55.
+TEST(OffsetChange, KnownOffsetsConvertEachCoordinate) {
+  const std::string text = kHead + "G54\nG0 X20. Y20.\nG55\nG43 H1 Z120.\nG1 Z0. F200.\nM30\n";
+  for (const char* control : {"haas", "fanuc", "linuxcnc"}) {
+    const Toolpath path = path_of_program(text, control, setup_with_offsets());
+    ASSERT_EQ(path.moves.size(), 2U) << control;
+    test::expect_tip(path.moves[1], 50, 20, 0);
+    EXPECT_EQ(path.work_offset, "G55") << control;
+  }
+  ProgramSetup of_part = setup_with_offsets();
+  of_part.zero = RigidTransform{};
+  of_part.tool_length_mm = 100;
+  of_part.machine = test::trunnion();
+  const std::string turned = kHead + "G54\nG0 A0. C0.\nX20. Y20.\nG55\nG43 H1 Z120.\nG1 Z0. F200.\nM30\n";
+  test::expect_tip(path_of_program(turned, "haas", of_part).moves.back(), 20, 20, -7);
+  of_part.zero.reset();
+  test::expect_tip(path_of_program(turned, "haas", of_part).moves.back(), 50, 20, 0);
+}
+
+TEST(OffsetChange, AnglesOfTheOffsetBeforeAreNotTakenOver) {
+  ProgramSetup setup = straight_setup();
+  setup.machine = test::trunnion();
+  setup.tool_length_mm = 100;
+  const std::string end = "G55\nG0 X20. Y20.\nG43 H1 Z120.\nG1 Z0. F200.\nM30\n";
+  test::expect_open(kHead + "G54\nG0 A0. C0.\n" + end, "haas", kReason, setup);
+  expect_checked(kHead + "G54\nG0 A0. C0.\nG55\nA0. C0.\n" + end, "haas", setup);
+  ProgramSetup started = setup;
+  started.start = "G90 G0 A0. C0.\n";
+  expect_checked(kHead + "G54\n" + end, "haas", started);
+  ProgramSetup known = setup_with_offsets();
+  known.machine = setup.machine;
+  known.tool_length_mm = 100;
+  expect_checked(kHead + "G54\nG0 A0. C0.\n" + end, "haas", known);
+}
+
+// With offsets of the rotary joint, the same place of A is another angle after the change.
+TEST(OffsetChange, KnownOffsetsOfRotaryJointsKeepTheirPlace) {
+  ProgramSetup setup = setup_with_offsets();
+  setup.machine = test::trunnion();
+  setup.tool_length_mm = 100;
+  setup.offsets["G54"].abc_deg = Vec3(90, 0, 0);
+  const Toolpath path =
+      path_of_program(kHead + "G54\nG0 A0. C0.\nG55\nX20. Y20.\nG43 H1 Z120.\nG1 Z0. F200.\nM30\n", "haas", setup);
+  EXPECT_NEAR(std::abs(path.moves.back().end.axis.z()), 0, 1e-9);
+}
+
+TEST(OffsetChange, ALevelOfACycleInForceIsOpenWhereZChanges) {
+  const std::string head = kHead + "G54\nG0 X0. Y0.\nG43 H1 Z50.\nG98 G81 Z-5. R2. F100.\n",
+                    end = "X9. Y9.\nG80\nM30\n";
+  ProgramSetup setup = setup_with_offsets();
+  test::expect_open(head + "G55\n" + end, "linuxcnc", "while a cycle is in force", setup);
+  expect_checked(head + "G80\nG55\nG81 Z-5. R2.\n" + end, "linuxcnc", setup);
+  setup.offsets["G55"].xyz_mm.z() = 0;
+  expect_checked(head + "G55\n" + end, "linuxcnc", setup);
+}
+
+}  // namespace
+}  // namespace gouge::offset_change_test
