@@ -109,6 +109,80 @@ TEST(OffsetChange, KnownOffsetsOfRotaryJointsKeepTheirPlace) {
   EXPECT_NEAR(std::abs(path.moves.back().end.axis.z()), 0, 1e-9);
 }
 
+/// A change of frame or length between the motion across and the motion down.
+struct FrameChange {
+  const char* control;
+  const char* blocks;
+};
+
+std::string program_with(const FrameChange& change, bool has_height) {
+  const std::string control = change.control, height = has_height ? "Z150." : "";
+  if (control == "siemens")
+    return "G17 G71 G90 G94 G60 G54\nTRAFOOF\nT1 M6\nD1\nG0 A0 C0\nG0 X20 Y10 " + height + "\n" + change.blocks +
+           "\nG0 Z120\nG1 Z60 F100\nM30\n";
+  if (control == "heidenhain")
+    return "BEGIN PGM N MM\nTOOL CALL 1 Z S3000\nL A+0 C+0 FMAX\nL X+20 Y+10 " + height + " R0 FMAX\n" + change.blocks +
+           "\nL Z+120 FMAX\nL Z+60 F100\nEND PGM N MM\n";
+  return kHead + "G54 G43 H1\nG0 A0. C0.\nX20. Y10. " + height + "\n" + change.blocks +
+         "\nG0 Z120.\nG1 Z60. F100.\nM30\n";
+}
+
+ProgramSetup setup_with_all_facts() {
+  ProgramSetup setup = setup_with_offsets();
+  setup.offsets["PRESET"] = WorkOffset{};
+  setup.offsets["PRESET2"].xyz_mm = Vec3(-30, 0, -7);
+  setup.offsets["G500"].xyz_mm = Vec3(1, 2, 3);
+  setup.zero = RigidTransform{Eigen::Matrix3d::Identity(), Vec3(1, 2, 3)};
+  setup.machine = test::trunnion();
+  setup.lengths_mm = {{1, 100}, {2, 120}};
+  setup.tip_frame = TipFrame::table;
+  return setup;
+}
+
+Vec3 end_of(const ReadOutcome& outcome, const std::string& shown) {
+  EXPECT_TRUE(can_be_clean(outcome)) << shown << "\n" << reasons_of(outcome);
+  return outcome.toolpath ? outcome.toolpath->moves.back().end.tip : Vec3::Zero();
+}
+
+// A place of which only X and Y are known leads to the same motions as a whole one.
+TEST(OffsetChange, APartOfAPlaceIsConvertedAsAWholeOne) {
+  const std::vector<FrameChange> changes = {
+      {"siemens", "TRANS X5 Y6 Z7"},
+      {"siemens", "TRANS X5\nATRANS Y6 Z7"},
+      {"siemens", "TRANS X5\nTRANS"},
+      {"siemens", "G55"},
+      {"siemens", "G500"},
+      {"siemens", "D0"},
+      {"siemens", "TRAORI"},
+      {"heidenhain", "CYCL DEF 7.0\nCYCL DEF 7.1 X+5\nCYCL DEF 7.2 Y+6\nCYCL DEF 7.3 Z+7"},
+      {"heidenhain", "CYCL DEF 8.0\nCYCL DEF 8.1 X"},
+      {"heidenhain", "CYCL DEF 247 PRESET Q339=+2"},
+      {"fanuc", "G55"},
+      {"fanuc", "G20\nG21"},
+      {"fanuc", "G43.4 H1"},
+      {"haas", "G55"},
+      {"haas", "G254"},
+      {"linuxcnc", "G55\nG43 H2"},
+      {"linuxcnc", "M428"}};
+  const ProgramSetup setup = setup_with_all_facts();
+  for (const FrameChange& change : changes) {
+    const std::string shown = std::string(change.control) + " " + change.blocks;
+    const Vec3 whole = end_of(read_program(program_with(change, true), change.control, setup), shown);
+    const Vec3 part = end_of(read_program(program_with(change, false), change.control, setup), shown);
+    EXPECT_NEAR((whole - part).norm(), 0, 1e-9) << shown;
+  }
+}
+
+// A change that mixes the coordinates leaves none of an incomplete place.
+TEST(OffsetChange, APartOfAPlaceIsLostWhereTheFrameTurns) {
+  for (const char* blocks : {"ROT Z90", "ROT RPL=30", "SCALE X2 Y2 Z2"}) {
+    const FrameChange change{"siemens", blocks};
+    EXPECT_TRUE(can_be_clean(read_program(program_with(change, true), change.control, setup_with_all_facts())));
+    test::expect_open(program_with(change, false), change.control, "the place of the tool is not known",
+                      setup_with_all_facts());
+  }
+}
+
 TEST(OffsetChange, ALevelOfACycleInForceIsOpenWhereZChanges) {
   const std::string head = kHead + "G54\nG0 X0. Y0.\nG43 H1 Z50.\nG98 G81 Z-5. R2. F100.\n",
                     end = "X9. Y9.\nG80\nM30\n";
