@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "cli/tools/shared_numbers.h"
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
@@ -38,7 +39,7 @@ Diagnostic usage(const std::string& message) { return make_error("usage", messag
 class Resolver {
  public:
   Resolver(const Toolpath& path, const ToolLibrary* library, ToolUse use, GaugeLength length)
-      : path_(path), library_(library), use_(use), length_(length) {}
+      : path_(path), library_(library), use_(use), length_(length), numbers_(path) {}
 
   std::optional<Diagnostic> take_name(const std::string& text) {
     const std::size_t equals = text.find('=');
@@ -84,10 +85,12 @@ class Resolver {
       ToolFacts facts;
       facts.name = short_name(tool);
       contradiction_.clear();
+      shared_.clear();
       is_of_path_ = false;
       uncertainty_.clear();
       basis_ = Basis::stated;
       if (const auto error = resolve(tool, facts)) return *error;
+      if (const auto& assembly = result_.assemblies.back()) shared_ = numbers_.take(i, *assembly, in_library(tool));
       if (is_used[i]) assume(tool, facts, result_.assemblies.back().has_value());
       result_.facts.push_back(std::move(facts));
     }
@@ -130,6 +133,12 @@ class Resolver {
             "--assume tool=" +
             object;
       }
+    } else if (!shared_.empty()) {
+      of_tool.basis = Basis::contradicted;
+      of_tool.code = "tool-number-shared";
+      of_tool.evidence = shared_;
+      of_tool.remedy =
+          "give each tool its own number, or state that all of them are right with --assume tool=" + object;
     } else if (!uncertainty_.empty()) {
       of_tool.code = basis_ == Basis::by_default ? "cutter-length" : "tool-doubtful";
       of_tool.evidence = uncertainty_;
@@ -319,8 +328,10 @@ class Resolver {
   NamedHolder holder_;                   // of tools without one
   Basis basis_ = Basis::stated;          // of the tool being resolved, like the next two members
   std::string contradiction_;            // contradictions about it
+  std::string shared_;                   // another definition of its number
   bool is_of_path_ = false;              // they are within the toolpath, not between it and the library
   std::string uncertainty_;              // unknown facts about it
+  SharedNumbers numbers_;
   ResolvedTools result_;
 };
 

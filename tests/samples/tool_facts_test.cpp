@@ -57,6 +57,13 @@ TEST_F(ToolFacts, ANameOfAnotherToolIsNotIgnored) {
   EXPECT_EQ(status("LOADTL/1", library(), {"--stock", "box=20", "--before", "before.apt"}), 4);
 }
 
+TEST_F(ToolFacts, TwoToolsOfOneNumberAreNotIgnored) {
+  const std::string first = "CUTTER/10\nLOADTL/5\nGOTO/10,50,0\nGOTO/20,50,0\nCUTTER/6\n";
+  EXPECT_EQ(status(first + "LOADTL/5", library()), 4);
+  EXPECT_EQ(status(first + "LOADTL/6", library()), 0);
+  EXPECT_EQ(status(first + "LOADTL/5", library(), {"--assume", "tool=T5"}), 0);
+}
+
 TEST_F(ToolFacts, ALengthBeyondTheToolOfTheLibraryIsNotIgnored) {
   EXPECT_EQ(status("CUTTER/10,0,5,0,0,0,60\nLOADTL/1", library()), 0);
   EXPECT_EQ(status("CUTTER/10,0,5,0,0,0,75\nLOADTL/1", library()), 4);
