@@ -53,6 +53,8 @@ Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector
   const AptCutter& c = *tool.cutter;
   AptCutter cutter = c;
   if (!(cutter.h_mm > 0)) cutter.h_mm = tool.flute_length_mm;
+  // Part of a longer tool is inside the holder. A tool without a holder keeps it: nothing is missed.
+  if (tool.stickout_mm > 0 && !holder.empty() && tool.stickout_mm < cutter.h_mm) cutter.h_mm = tool.stickout_mm;
   const std::string who = "tool " + label(made.tool) + ": ";
   if (!(cutter.h_mm > 0) || ends_within_tip(cutter)) {
     cutter.h_mm = assumed_height(c);

@@ -16,7 +16,7 @@ struct ToolFromPath {
 };
 
 /// Makes a tool assembly from the statements of a toolpath, which `tool.cutter` must hold. CL data states no holder, so
-/// `holder` (may be empty) is put on top. The part above the flutes is shank. A height that is missing is taken to be
+/// `holder` (may be empty) is put on top, or at the stick-out that the path states. The part above the flutes is shank. A height that is missing is taken to be
 /// the flute length. If that is missing too, or the height ends within the tip, it is replaced by max(5 d, 50 mm) and
 /// reported. The default of APT, 5, would leave most of the tool out of the check.
 ///

@@ -24,6 +24,7 @@ std::string name_of(const PathTool& tool) {
 namespace {
 
 constexpr double kReach_mm = 5e-3;
+constexpr double kMeasured_mm = 1;  // lengths that differ by more are no measured ones of one tool
 
 // Rounds to a millionth: finer than a difference that counts, coarser than the rounding of a change of unit.
 std::string rounded_text(double mm, LengthUnit unit) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); }
@@ -45,7 +46,9 @@ class Comparer {
     compare();
     if (tool_.cutter && tool_.cutter->given > 0) compare_above_flutes();
     compare_flutes();
+    compare_stickouts();
     compare_gauge_lengths();
+    compare_loaded_lengths();
     return std::move(difference_);
   }
 
@@ -131,6 +134,13 @@ class Comparer {
                  " farther from its axis by the library, which is what removes stock, than by the toolpath");
   }
 
+  // Returns the library's tool with the holder of --holder, if it has none itself.
+  [[nodiscard]] ToolAssembly with_holder() const {
+    ToolAssembly whole = known_;
+    if (whole.holder.empty()) whole.holder = set_up_.holder;
+    return whole;
+  }
+
   // Returns how far the file's tool reaches out of the library's above the flutes of that. Requires a stated length.
   [[nodiscard]] double reach_above_mm(const PathTool& tool, const ToolAssembly& whole) const {
     const Result<ToolFromPath> made = make_tool_from_path(tool, {});
@@ -144,8 +154,7 @@ class Comparer {
   void compare_above_flutes() {
     const Result<ToolFromPath> made = make_tool_from_path(tool_, {});
     if (!made || !made->is_length_stated) return;
-    ToolAssembly whole = known_;
-    if (whole.holder.empty()) whole.holder = set_up_.holder;
+    const ToolAssembly whole = with_holder();
     const double stated = height_mm(made->tool), known = height_mm(whole);
     if (stated > known + kReach_mm)
       contradict(name_of(tool_) + " is " + length(stated) + " long by the toolpath, but ends at " + length(known) +
@@ -178,7 +187,6 @@ class Comparer {
 
   // Compares the lengths to the gauge line. The joints follow the stated one, and shank and holder are the library's.
   void compare_gauge_lengths() {
-    constexpr double kMeasured_mm = 1;
     const bool is_stated_for_all = !tool_.gauge_length_mm && path_.tools.size() == 1;
     const std::optional<double> stated = is_stated_for_all ? set_up_.length.mm : tool_.gauge_length_mm;
     if (!stated || !(known_.gauge_length_mm > 0)) return;
@@ -189,8 +197,61 @@ class Comparer {
                                 " long to the gauge line by the stated tool length, but " +
                                 length(known_.gauge_length_mm) + " by the library";
     if (gap > kMeasured_mm) return contradict(message);
-    difference_.warnings.push_back(make_warning(
-        "tool-differs", message + "; its shank and holder are checked as in the library", path_.file, tool_.line));
+    warn(message + "; its shank and holder are checked as in the library");
+  }
+
+  // Compares the heights of the holder above the tip. A holder that is lower than the checked one could hide a gouge.
+  void compare_stickouts() {
+    const ToolAssembly whole = with_holder();
+    if (whole.holder.empty()) return;
+    const double known = stickout_mm(whole);
+    compare_stated_stickout(known);
+    const double total = whole_length_mm();
+    if (tool_.stickout_mm > 0 || !(total > 0) || known <= total + kMeasured_mm) return;
+    contradict(name_of(tool_) + " is " + length(total) + " long by the toolpath, but its holder begins at " +
+               length(known) + " by the library, which is what is checked");
+  }
+
+  void compare_stated_stickout(double known) {
+    if (!(tool_.stickout_mm > 0) || std::abs(known - tool_.stickout_mm) <= kReach_mm) return;
+    const std::string message = name_of(tool_) + " has a stick-out of " + length(tool_.stickout_mm) +
+                                " by the toolpath and of " + length(known) + " by the library";
+    if (known > tool_.stickout_mm + kMeasured_mm) return contradict(message + ", which is what is checked");
+    warn(message + "; its shank and holder are checked as in the library");
+  }
+
+  // Returns the length of the whole tool that the file states. Some CAM systems state that of the flutes in its place,
+  // which is then the library's. 0: it states none.
+  [[nodiscard]] double whole_length_mm() const {
+    if (!tool_.cutter || !(tool_.cutter->h_mm > 0)) return 0;
+    const Result<ToolFromPath> made = make_tool_from_path(tool_, {});
+    if (!made || !made->is_length_stated) return 0;
+    const double height = height_mm(made->tool);
+    const bool may_be_flutes = !dialect_or_apt(path_.dialect).states_whole_length && !(tool_.flute_length_mm > 0);
+    return may_be_flutes && std::abs(height - length_mm(known_.cutter)) <= kMeasured_mm ? 0 : height;
+  }
+
+  // Compares the length of LENGTH in a loading. Some CAM systems state that of the cutter there, not to the gauge line.
+  void compare_loaded_lengths() {
+    const double stated = tool_.loaded_length_mm;
+    if (!(stated > 0)) return;
+    const ToolAssembly whole = with_holder();
+    const double stickout = whole.holder.empty() ? 0 : stickout_mm(whole);
+    const std::string begin = name_of(tool_) + " is loaded with LENGTH " + length(stated) + " by the toolpath, but ";
+    if (stickout > stated + kMeasured_mm)
+      return contradict(begin + "its holder begins at " + length(stickout) +
+                        " by the library, which is what is checked");
+    const bool is_of_cutter = tool_.cutter && std::abs(tool_.cutter->h_mm - stated) <= kMeasured_mm;
+    if (is_of_cutter || !(known_.gauge_length_mm > 0)) return;
+    const double gap = std::abs(stated - known_.gauge_length_mm);
+    const std::string message =
+        begin + "is " + length(known_.gauge_length_mm) + " long to the gauge line by the library";
+    if (gap > kMeasured_mm) return contradict(message);
+    if (gap > kReach_mm) warn(message + "; its shank and holder are checked as in the library");
+  }
+
+  void warn(const std::string& message) {
+    difference_.warnings.push_back(make_warning("tool-differs", message, path_.file, tool_.line));
   }
 
   [[nodiscard]] std::string length(double mm) const {
@@ -201,8 +262,7 @@ class Comparer {
     const std::string message =
         name_of(tool_) + " is " + given + " by the toolpath but " + known + " by the library, which is what is checked";
     if (is_smaller || set_up_.use == ToolUse::removes_stock) return contradict(message);
-    difference_.warnings.push_back(make_warning(
-        "tool-differs", message + "; correct the library or --tool if another tool is meant", path_.file, tool_.line));
+    warn(message + "; correct the library or --tool if another tool is meant");
   }
 
   void contradict(const std::string& what) {

@@ -143,8 +143,21 @@ class Resolver {
       of_tool.code = basis_ == Basis::by_default ? "cutter-length" : "tool-doubtful";
       of_tool.evidence = uncertainty_;
     }
+    if (is_defined && of_tool.basis < Basis::contradicted) note_register(tool, of_tool);
     result_.assumptions.push_back(std::move(of_tool));
     if (is_defined) assume_holder(tool, facts, object);
+  }
+
+  // Lists a register of the length that is not the tool's own number. Some shops have registers of their own.
+  static void note_register(const PathTool& tool, Assumption& of_tool) {
+    if (!tool.other_register) return;
+    const std::string evidence = name_of(tool) + " takes its length from register " +
+                                 std::to_string(*tool.other_register) + ", which may hold that of another tool";
+    const bool has_assumed_length = of_tool.basis == Basis::by_default;
+    of_tool.evidence = has_assumed_length ? of_tool.evidence + "; " + evidence : evidence;
+    of_tool.basis = Basis::by_default;
+    of_tool.code = "tool-register";
+    of_tool.remedy = "state that the register holds the length of this tool with --assume tool=" + of_tool.object;
   }
 
   void assume_holder(const PathTool& tool, const ToolFacts& facts, const std::string& object) {

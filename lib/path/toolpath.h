@@ -62,6 +62,9 @@ struct PathTool {
   std::optional<double> gauge_length_mm =
       {};                                  ///< from the gauge point of the spindle to the tip, as a set-up states it
   std::set<std::string> other_names = {};  ///< further names that the file states for it
+  double stickout_mm = 0;                  ///< from the tip to the holder; 0: not stated
+  double loaded_length_mm = 0;             ///< LENGTH of its loading, from the tip to the gauge line; 0: not stated
+  std::optional<int> other_register = {};  ///< register of its length, if it is not the number of the tool
 };
 
 struct Operation {

@@ -64,6 +64,14 @@ TEST_F(ToolFacts, TwoToolsOfOneNumberAreNotIgnored) {
   EXPECT_EQ(status(first + "LOADTL/5", library(), {"--assume", "tool=T5"}), 0);
 }
 
+TEST_F(ToolFacts, AHolderBelowTheOneOfTheLibraryIsNotIgnored) {
+  const std::string with_holder = library(R"(, "holder": "E")");
+  EXPECT_EQ(status("LOADTL/1,LENGTH,40", with_holder), 4);
+  EXPECT_EQ(status("LOADTL/1,LENGTH,90", with_holder), 0);
+  EXPECT_EQ(status("TRNTYP/WORLD,0,0,0\nLOAD/TOOL,1\nCSI_SET_EXTENSION_LENGTH/40.", with_holder), 4);
+  EXPECT_EQ(status("TRNTYP/WORLD,0,0,0\nLOAD/TOOL,1\nCSI_SET_EXTENSION_LENGTH/60.", with_holder), 0);
+}
+
 TEST_F(ToolFacts, ALengthBeyondTheToolOfTheLibraryIsNotIgnored) {
   EXPECT_EQ(status("CUTTER/10,0,5,0,0,0,60\nLOADTL/1", library()), 0);
   EXPECT_EQ(status("CUTTER/10,0,5,0,0,0,75\nLOADTL/1", library()), 4);

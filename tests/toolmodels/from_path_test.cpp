@@ -66,6 +66,17 @@ TEST(FromPath, TheHolderStandsOnTop) {
   EXPECT_EQ(make_profile(made->tool)->elements.back().body, Body::holder);
 }
 
+TEST(FromPath, TheHolderStandsAtTheStatedStickOut) {
+  PathTool tool{1, "", CutterStatement{{.d_mm = 10, .h_mm = 84}, 7}, 32};
+  tool.stickout_mm = 60;
+  const Result<ToolFromPath> made = make_tool_from_path(tool, {{40, 50, 30}});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(stickout_mm(made->tool), 60);
+  const Result<ToolFromPath> bare = make_tool_from_path(tool, {});
+  ASSERT_TRUE(bare.has_value());
+  EXPECT_EQ(height_mm(bare->tool), 84) << "without a holder nothing hides the rest of the shank";
+}
+
 TEST(FromPath, ContradictingNumbersAreReported) {
   const CutterStatement cutter{{.d_mm = 12, .r_mm = 2, .e_mm = 7, .f_mm = 2, .h_mm = 60}, 7};
   const Result<ToolFromPath> made = tool_of(1, "", cutter, {});

@@ -201,8 +201,9 @@ constexpr WordSet kBeginsAnew = {Word::operation, Word::from, Word::gohome, Word
 constexpr WordSet kSetsUp = {Word::tool_path, Word::end_of_path, Word::units, Word::mode,   Word::multax,
                              Word::tlaxis,    Word::cutcom,      Word::csys,  Word::mcs,    Word::mcsys,
                              Word::msys,      Word::rotabl,      Word::trans, Word::trntyp, Word::unread_frame};
-constexpr WordSet kTools = {Word::cutter, Word::tldata, Word::loadtl,       Word::load,       Word::toolno,
-                            Word::turret, Word::tprint, Word::flute_length, Word::unread_tool};
+constexpr WordSet kTools = {Word::cutter,           Word::tldata,     Word::loadtl, Word::load,
+                            Word::toolno,           Word::turret,     Word::tprint, Word::flute_length,
+                            Word::extension_length, Word::unread_tool};
 constexpr WordSet kCurves = {Word::circle,  Word::movarc, Word::curve, Word::indirv, Word::arc_record,
                              Word::helical, Word::movnrb, Word::tlon,  Word::nurbs,  Word::cntrl};
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion, Word::godlta};

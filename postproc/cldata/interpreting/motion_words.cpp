@@ -192,6 +192,8 @@ void take_cutcom(States& s) {
     const auto is_no_register = [](const Argument& argument) { return argument.number.value_or(0) < 0; };
     if (std::ranges::any_of(s.in.arguments, is_no_register))
       switch_uncertainty(s, Uncertainty::adjust, true, Reasons::kAdjust);
+    // The register follows in CUTCOM/ON,LENGTH,n. OFF states none.
+    if (!has_off && s.in.arguments.back().number) s.tool.take_length_register(*s.in.arguments.back().number);
     return;
   }
   if (!has_off) return s.cutcom.begin();

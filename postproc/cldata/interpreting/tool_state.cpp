@@ -22,6 +22,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kCuttersReported = 20;
+constexpr double kMaxRegister = 1e6;      // a control has thousands
 constexpr std::size_t kMaxTools = 10000;  // a machine has hundreds
 constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "THREAD", "WEDM", "WIRE"};
 
@@ -31,6 +32,14 @@ double diameter_of_toolno(const std::vector<Argument>& arguments) {
   if (arguments.size() > 1 && arguments[1].number) return *arguments[1].number;
   const bool is_mill = arguments.size() > kOfMill && equals_ignoring_case(arguments[1].text, "MILL");
   return is_mill ? arguments[kOfMill].number.value_or(0) : 0;
+}
+
+// Returns the number that follows a word among arguments; nothing: there is none.
+std::optional<double> number_behind(const std::vector<Argument>& arguments, std::string_view word) {
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    if (equals_ignoring_case(arguments[i - 1].text, word)) return arguments[i].number;
+  }
+  return std::nullopt;
 }
 
 // Returns whether TOOLNO has a number after number and diameter, whose meaning no known writer states.
@@ -86,6 +95,7 @@ void ToolState::set_cutter(const CutterOutcome& outcome) {
   }
   if (!tool_.cutter || !is_in_short(*outcome.cutter, *tool_.cutter)) tool_.cutter = outcome.cutter;
   tool_.flute_length_mm = outcome.flute_length_mm;
+  tool_.stickout_mm = 0;
   tool_.line = in_.line();
   tool_.is_fresh = true;
   is_changed_ = true;
@@ -148,6 +158,29 @@ void ToolState::take_flute_length(double mm_per_unit) {
   is_changed_ = true;
 }
 
+void ToolState::take_stickout(double mm_per_unit) {
+  if (!in_.has_numbers_alone(1) || *in_.arguments.front().number < 0) return in_.count_unknown();
+  tool_.stickout_mm = *in_.arguments.front().number * mm_per_unit;
+  is_changed_ = true;
+}
+
+void ToolState::take_length_words(double mm_per_unit) {
+  const std::optional<double> length = number_behind(in_.arguments, "LENGTH");
+  if (length.value_or(0) > 0) {
+    tool_.loaded_length_mm = *length * mm_per_unit;
+    is_changed_ = true;
+  }
+  for (const char* const word : {"ADJUST", "OSETNO"}) {
+    if (const std::optional<double> number = number_behind(in_.arguments, word)) take_length_register(*number);
+  }
+}
+
+void ToolState::take_length_register(double number) {
+  if (number < 1 || number > kMaxRegister || !tool_.number || static_cast<int>(number) == *tool_.number) return;
+  tool_.other_register = static_cast<int>(number);
+  is_changed_ = true;
+}
+
 void ToolState::take_diameter_of_toolno(double mm_per_unit) {
   tool_.toolno_diameter_mm = diameter_of_toolno(in_.arguments) * mm_per_unit;
   if (!tool_.cutter && tool_.toolno_diameter_mm > 0) tool_.diameter_mm = tool_.toolno_diameter_mm;
@@ -184,12 +217,15 @@ void ToolState::change_number(int number) {
   uncertainties_.clear(Uncertainty::loading);
   if (tool_.number == number) return;
   is_changed_ = true;
+  tool_.loaded_length_mm = 0;
+  tool_.other_register.reset();
   tool_.number = number;
   // A name that the file states before the number belongs to it. Any other name is that of the tool before.
   if (std::exchange(name_use_, NameUse::none) == NameUse::none) tool_.name.clear();
   if (tool_.is_fresh) return;
   tool_.cutter.reset();
   tool_.flute_length_mm = 0;
+  tool_.stickout_mm = 0;
   tool_.diameter_mm = 0;
   tool_.line = in_.line();
   auto known = index_of_number_.find({number, tool_.name});
@@ -227,6 +263,16 @@ bool ToolState::is_cutter_unloaded() const {
   return key_of(*last.cutter) != key_of(*tool_.cutter);
 }
 
+// Adds what the file states about lengths. Of two values it keeps the smaller one, at which the holder is lower.
+void ToolState::add_lengths(PathTool& tool) const {
+  const auto add = [](double& known_mm, double stated_mm) {
+    if (stated_mm > 0 && !(known_mm > 0 && known_mm < stated_mm)) known_mm = stated_mm;
+  };
+  add(tool.stickout_mm, tool_.stickout_mm);
+  add(tool.loaded_length_mm, tool_.loaded_length_mm);
+  if (tool_.other_register) tool.other_register = tool_.other_register;
+}
+
 std::size_t ToolState::find_or_add() {
   Key key;
   key.number = tool_.number;
@@ -249,6 +295,7 @@ std::size_t ToolState::find_or_add() {
     if (tool.flute_length_mm <= 0) tool.flute_length_mm = tool_.flute_length_mm;
     if (!tool_.name.empty() && tool_.name != tool.name) tool.other_names.insert(tool_.name);
   }
+  add_lengths(tools[it->second]);
   return it->second;
 }
 
@@ -308,6 +355,7 @@ void take_tool_number(States& s) {
   const bool is_loading = s.in.statement().word != Word::toolno;
   const bool may_be_ready_only = !is_loading && s.tool.may_be_ready_only(*number);
   change_number(s, *number);
+  s.tool.take_length_words(s.frame.mm_per_unit());
   if (is_loading) s.tool.note_load();
   if (may_be_ready_only) s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kReadyTool));
   // The number after that in LOADTL/n is a register.
@@ -331,6 +379,7 @@ void take_load(States& s) {
   const std::optional<int> number = arguments.size() > 1 ? whole_number(arguments[1]) : std::nullopt;
   if (!number) return s.in.fail("path-statement", "LOAD/TOOL without a tool number; expected LOAD/TOOL,number");
   change_number(s, *number);
+  s.tool.take_length_words(s.frame.mm_per_unit());
   s.tool.note_load();
 }
 

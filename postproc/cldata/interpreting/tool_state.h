@@ -27,6 +27,11 @@ class ToolState {
   void take_diameter(std::string_view text, double mm_per_unit);
   void take_tldata(double mm_per_unit);
   void take_flute_length(double mm_per_unit);
+  void take_stickout(double mm_per_unit);
+  /// Takes LENGTH,l, and ADJUST,n or OSETNO,n, of the loading of the present number.
+  void take_length_words(double mm_per_unit);
+  /// Takes the register of the length of the present tool. 0 and the number of the tool state nothing.
+  void take_length_register(double number);
   void take_diameter_of_toolno(double mm_per_unit);
   void take_name(std::string_view text);
   /// Takes a name that stands beside the present number.
@@ -61,6 +66,9 @@ class ToolState {
     std::optional<CutterStatement> cutter;
     std::string name;
     double flute_length_mm = 0;
+    double stickout_mm = 0;
+    double loaded_length_mm = 0;
+    std::optional<int> other_register;
     double diameter_mm = 0;         // from $$-> CUTTER of Creo, which states only the diameter
     double toolno_diameter_mm = 0;  // diameter after the number in TOOLNO; 0 if there is none
     std::size_t toolno_line = 0;
@@ -81,6 +89,7 @@ class ToolState {
     in_block       ///< the next one of the block that is named so
   };
   void set_name(std::string name);
+  void add_lengths(PathTool& tool) const;
   void set_cutter(const CutterOutcome& outcome);
   [[nodiscard]] bool is_cutter_unloaded() const;
   [[nodiscard]] std::size_t find_or_add();

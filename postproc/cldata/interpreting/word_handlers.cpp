@@ -34,6 +34,7 @@ constexpr auto kRows = std::to_array<std::pair<Word, WordHandler>>({
     {Word::fedrat, take_fedrat},
     {Word::fini, take_fini},
     {Word::flute_length, [](States& s) { s.tool.take_flute_length(s.frame.mm_per_unit()); }},
+    {Word::extension_length, [](States& s) { s.tool.take_stickout(s.frame.mm_per_unit()); }},
     {Word::from, take_from},
     {Word::godlta, take_godlta},
     {Word::gohome, take_gohome},

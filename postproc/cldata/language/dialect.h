@@ -104,6 +104,7 @@ struct Dialect {
   bool inserts_are_names = false;      ///< INSERT has names of tools, setups and stock
   bool has_named_tools = false;        ///< tools may differ only in their name
   bool has_tool_angles = true;         ///< a CUTTER without angles is straight; if false, it may have any shape
+  bool states_whole_length = false;    ///< the length of a cutter is never that of its flutes
   bool has_tip_diameter = false;       ///< the third number of CUTTER is the diameter of the tip
 
   // Arcs and cycles.

@@ -32,7 +32,6 @@ constexpr auto kHarmlessWords = std::to_array<HarmlessWord>({
      "ON OFF FLOOD MIST TAP TAPKUL THRU AIR TOOL SPINDL LOW MEDIUM MED HIGH AUTO ALL NOMORE BOTH FLOOD1 FLOOD2 CUSTOM1 CUSTOM2 CUSTOM3",
      2, Sign::none, Others::none, "PTC, ICAM, Autodesk, IBM"},
     {"CSI_PATH_TOLERANCE", "", 1, Sign::none, Others::none, "Autodesk"},
-    {"CSI_SET_EXTENSION_LENGTH", "", 1, Sign::none, Others::none, "CAMWorks"},
     {"CSI_SET_PATH_PARAM", "TOOL_BREAK=ON TOOL_BREAK=OFF CSI_FORCE_TOOL_CHANGE=1", 0, Sign::none, Others::none,
      "Autodesk"},
     {"DELAY", "DWELL REV REVS SEC SECONDS ON OFF", 2, Sign::none, Others::none, "PTC, IBM, Autodesk"},

@@ -35,6 +35,7 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"CNTRL", Word::cntrl},
     {"COPY", Word::copy},
     {"CSI_INSERT_CUSTOM_GCODE", Word::insert},
+    {"CSI_SET_EXTENSION_LENGTH", Word::extension_length},
     {"CSI_SET_FLUTE_LENGTH", Word::flute_length},
     {"CSI_TOOL_PATH", Word::operation},
     {"CSYS", Word::csys},
@@ -190,10 +191,10 @@ Word find_word_at_end(std::string_view token) {
 }
 
 bool changes_motion(Word word) {
-  static constexpr WordSet kOthers = {Word::comment,     Word::unknown,   Word::harmless,    Word::free_text,
-                                      Word::clear_plane, Word::arc_slope, Word::index,       Word::pprint,
-                                      Word::insert,      Word::tprint,    Word::operation,   Word::part_program,
-                                      Word::fedrat,      Word::fini,      Word::flute_length};
+  static constexpr WordSet kOthers = {Word::comment,     Word::unknown,   Word::harmless,     Word::free_text,
+                                      Word::clear_plane, Word::arc_slope, Word::index,        Word::pprint,
+                                      Word::insert,      Word::tprint,    Word::operation,    Word::part_program,
+                                      Word::fedrat,      Word::fini,      Word::flute_length, Word::extension_length};
   return !kOthers.has(word);
 }
 

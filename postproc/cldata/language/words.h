@@ -43,6 +43,7 @@ enum class Word : std::uint8_t {
   fedrat,
   fini,
   flute_length,
+  extension_length,
   from,
   godlta,
   gohome,
