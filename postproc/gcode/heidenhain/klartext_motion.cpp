@@ -183,6 +183,7 @@ void KlartextRunner::aim_joint(std::size_t rotary, const PathCoordinate& word, b
     return;
   }
   angle = is_of_machine ? word.value * kDegree_rad : motion_.angle_from_program(rotary, word.value);
+  if (is_of_machine) motion_.note_angle_of_machine(rotary);
   const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(rotary)];
   const bool was_turn_open = std::exchange(is_turn_open_.at(rotary), false);
   const bool stands = std::abs(angle - before) <= kRounding_rad;

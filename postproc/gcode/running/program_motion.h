@@ -132,6 +132,8 @@ class ProgramMotion {
   [[nodiscard]] bool has_turned_offset() const;
   /// Returns the angle of a joint, in rad, that the block which runs states.
   [[nodiscard]] double angle_from_program(std::size_t rotary, double degrees);
+  /// Notes that the block which runs states the angle of a joint without the work offset.
+  void note_angle_of_machine(std::size_t rotary) { is_angle_of_machine_.at(rotary) = true; }
   [[nodiscard]] TipControl tip_control() const { return state_.tip_control; }
   [[nodiscard]] const AxisMapper& mapper() const { return mapper_; }
 
@@ -219,7 +221,7 @@ class ProgramMotion {
   bool are_rapids_together_ = false, has_unknown_step_ = false;
   std::string lost_place_;   // why coordinates before the first place are not known; empty: none is stated
   std::string lost_angles_;  // why the angles of rotary joints are not known any more; empty: none is lost
-  std::array<bool, 2> is_angle_of_start_{};  // of rotary joints: the blocks in force at the start state them
+  std::array<bool, 2> is_angle_of_machine_{};  // of rotary joints: stated at the start, or as places of the machine
   std::shared_ptr<JointPath> joints_;
   Tally approach_, unknown_angles_;
 };

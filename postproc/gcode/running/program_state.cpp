@@ -93,7 +93,7 @@ void ProgramMotion::move_part_to(const std::string& name) {
   if (!mapper_.has_machine()) return;
   place_.axis.reset();
   for (std::size_t k = 0; k < 2; ++k) {
-    if (is_angle_of_start_.at(k) || !is_known(place_.angles.at(k))) continue;
+    if (is_angle_of_machine_.at(k) || !is_known(place_.angles.at(k))) continue;
     place_.angles.at(k) = AxisPlace::kUnknownCoordinate;
     lost_angles_ = offset_name_.empty() ? "rotary joints are stated before work offset " + name + in_line(line_) +
                                               "; expected them after it, or --start " + name
@@ -138,7 +138,7 @@ bool ProgramMotion::has_turned_offset() const {
 }
 
 double ProgramMotion::angle_from_program(std::size_t rotary, double degrees) {
-  is_angle_of_start_.at(rotary) = line_ == 0;
+  is_angle_of_machine_.at(rotary) = line_ == 0;
   return degrees * kDegree_rad + angle_shift_.at(rotary);
 }
 

@@ -241,8 +241,10 @@ void SiemensRunner::move_to_machine_axes(MoveKind kind, const SiemensWords::Code
     if (word == nullptr) continue;
     has_step = has_step || is_incremental(*word);
     // The zero of the rotary axis does not include the work offset.
-    double& angle = to.place.angles.at(motion_.mapper().rotary_of(letter).value_or(0));
-    const double shift = motion_.angle_from_program(motion_.mapper().rotary_of(letter).value_or(0), 0);
+    const std::size_t rotary = motion_.mapper().rotary_of(letter).value_or(0);
+    double& angle = to.place.angles.at(rotary);
+    const double shift = motion_.angle_from_program(rotary, 0);
+    motion_.note_angle_of_machine(rotary);
     angle = motion_.is_offset_given() && word->measure == SiemensMeasure::modal ? angle - shift : kUnknownValue;
   }
   const std::string missing = missing_fact();

@@ -98,6 +98,19 @@ TEST(OffsetChange, AnglesOfTheOffsetBeforeAreNotTakenOver) {
   expect_checked(kHead + "G54\nG0 A0. C0.\n" + end, "haas", known);
 }
 
+// An angle of the machine does not depend on the preset.
+TEST(OffsetChange, AnglesOfTheMachineStay) {
+  ProgramSetup setup = straight_setup();
+  setup.machine = test::trunnion();
+  setup.tool_length_mm = 100;
+  const auto program = [](const std::string& word) {
+    return "BEGIN PGM N MM\nTOOL CALL 1 Z S3000\nL A+0 C+0 FMAX" + word +
+           "\nCYCL DEF 247 PRESET Q339=+2\nL X+20 Y+10 FMAX\nL Z+120 FMAX\nL Z+60 F100\nEND PGM N MM\n";
+  };
+  expect_checked(program(" M91"), "heidenhain", setup);
+  test::expect_open(program(""), "heidenhain", kReason, setup);
+}
+
 // With offsets of the rotary joint, the same place of A is another angle after the change.
 TEST(OffsetChange, KnownOffsetsOfRotaryJointsKeepTheirPlace) {
   ProgramSetup setup = setup_with_offsets();
