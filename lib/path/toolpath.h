@@ -104,8 +104,8 @@ struct Move {
   /// False for a single position: the first of the file, of a tool or of a block, or one after a motion whose end is
   /// unknown.
   bool has_start = false;
-  /// True for a single position that follows the end of the move before it, while the file changes neither tool nor
-  /// frame. The file does not state the motion to it.
+  /// True for a single position of the tool that was at the end of the move before it. The file does not state the
+  /// motion between both, and states no way home.
   bool is_linked = false;
   /// True for a motion without tool centre point control, which programs of a machine can state: all joints run, and tip
   /// and axis follow them. False: the tip runs as the path states.

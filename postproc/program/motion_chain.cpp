@@ -4,26 +4,43 @@
 
 namespace gouge {
 
-// Breaks the motion. A FROM, a CUTTER or another sequence alone does not mean that the machine goes home between two
-// positions.
+namespace {
+
+// Returns whether two tools are one tool in the spindle. Its number identifies a tool; the same number in other words
+// loads no other tool. Without numbers the name does.
+bool is_same_tool(const PathTool& before, const PathTool& now) {
+  if (before.number && now.number) return before.number == now.number;
+  return !before.name.empty() && before.name == now.name;
+}
+
+}  // namespace
+
+// Breaks the motion. A FROM, a frame, a CUTTER or another sequence alone does not mean that the machine goes home between
+// two positions.
 void MotionChain::break_off() {
   is_broken_ = is_broken_ || last_pose_.has_value();
-  if (last_pose_) can_link_ = unknown_start_ == nullptr && last_uncertainty_ == nullptr && !builder_.path.moves.empty();
+  if (last_pose_) {
+    can_link_ = last_uncertainty_ == nullptr && !builder_.path.moves.empty();
+    lost_start_ = unknown_start_;
+  }
   last_pose_.reset();
   unknown_start_ = nullptr;
   last_uncertainty_ = nullptr;
 }
 
-// Links a position without a start to the last one, unless the tool may have been changed before it. Such a change is
-// another number, or a loading of another cutter.
 void MotionChain::attach_link(Move& move) {
   const bool can_link = std::exchange(can_link_, false);
-  const bool was_loaded = std::exchange(was_loaded_, false);
+  const char* const lost_start = std::exchange(lost_start_, nullptr);
   const Toolpath& path = builder_.path;
   if (!can_link || move.has_start || move.tool == kNone || path.moves.back().tool == kNone) return;
-  const std::size_t tool = path.moves.back().tool;
-  const std::optional<int> before = path.tools[tool].number, now = path.tools[move.tool].number;
-  move.is_linked = move.tool == tool || (before && before == now && !was_loaded);
+  const std::size_t before = path.moves.back().tool;
+  if (before != move.tool && !is_same_tool(path.tools[before], path.tools[move.tool])) return;
+  if (lost_start == nullptr) {
+    move.is_linked = true;
+  } else if (move.not_checked_reason.empty() || move.is_covered()) {
+    move.not_checked_reason = lost_start;
+    move.cover = Cover::none;
+  }
 }
 
 void MotionChain::advance(Move& move, const char* uncertainty) {

@@ -33,9 +33,9 @@ class MotionChain {
   void break_off();
   /// Forbids a link: the tool may not have been at the last position when it moved to the next one.
   void forbid_link() { can_link_ = false; }
-  void note_loading() { was_loaded_ = true; }
   /// Makes the end of `move`, which is about to become the last move, the last pose. `uncertainty` is why that place is
-  /// unknown, or null.
+  /// unknown, or null. Links the move to the last one if the same tool was there; where the tool was after that one is
+  /// unknown, the move is not checked.
   void advance(Move& move, const char* uncertainty);
   /// Handles a motion with an unknown end, which is reported at `end`.
   void stand(const Pose& end, const char* reason);
@@ -51,8 +51,8 @@ class MotionChain {
   const char* last_uncertainty_ = nullptr;
   bool was_from_ = false;  // whether the last move was a FROM
   bool is_broken_ = false;
-  bool can_link_ = false;    // the motion was broken at the end of the last move
-  bool was_loaded_ = false;  // a tool was loaded since the last move
+  bool can_link_ = false;             // the motion was broken at or after the end of the last move
+  const char* lost_start_ = nullptr;  // why the place at which the motion was broken is unknown, or null
   Tally not_swept_;
 };
 

@@ -148,8 +148,8 @@ std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> argument
 
 }  // namespace
 
-// Sets the frame. Between two frames the machine turns its table or head, and the path there is unknown. A block or a
-// section has one frame, which precedes its positions.
+// Sets the frame. It moves nothing, so the next position is linked to the last one. A block or a section has one frame,
+// which precedes its positions.
 void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
   const bool has_blocks = s.blocks.is_open() || s.in.dialect.operations_are_blocks;
   const bool is_changed = s.frame.set(to_part);
@@ -163,7 +163,6 @@ void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
   }
   if (is_changed) {
     break_motion(s);
-    s.chain.forbid_link();
     if (has_blocks && s.blocks.has_positions(s.in.moves())) mark_frame_word_uncertain(s);
   }
   s.uncertainties.clear(Uncertainty::setup);  // the file states the place of the setup

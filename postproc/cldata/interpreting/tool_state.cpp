@@ -334,7 +334,6 @@ std::optional<int> whole_number(const Argument& argument) {
 void change_number(States& s, int number) {
   s.tool.change_number(number);
   if (const std::string name = name_in_quotes(s.in.statement()); !name.empty()) s.tool.take_name_of_number(name);
-  s.chain.note_loading();
 }
 
 }  // namespace

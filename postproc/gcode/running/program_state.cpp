@@ -322,7 +322,6 @@ void ProgramMotion::change_tool(const PathTool& tool) {
       loaded.stated_diameter_mm = diameter->second;
   }
   chain_.break_off();
-  chain_.note_loading();
   has_unknown_step_ = false;
   lost_place_.clear();
   place_.xyz.setConstant(AxisPlace::kUnknownCoordinate);
