@@ -25,10 +25,8 @@ class MotionChain {
   void lose_start(const char* reason) { unknown_start_ = reason; }
   /// Makes the next motion start at last_pose() after all.
   void find_start() { unknown_start_ = nullptr; }
-  /// Marks the start of the next motion as unknown if there is a last pose.
-  void lose_last_pose(const char* reason) {
-    if (last_pose_) unknown_start_ = reason;
-  }
+  /// Marks the start of the next motion as unknown if there is a last pose, or else that of a link.
+  void lose_last_pose(const char* reason) { (last_pose_ ? unknown_start_ : lost_start_) = reason; }
   /// Breaks the motion: nothing is swept from the last position to the next.
   void break_off();
   /// Forbids a link: the tool may not have been at the last position when it moved to the next one.

@@ -199,6 +199,7 @@ void append(States& s, Move move, const Position& position) {
   s.chain.advance(move, is_skipped(s) ? nullptr : s.uncertainties.reason());
   s.cycle.leave_hole();
   s.cutcom.note_position();
+  s.homed_axes = {};
   s.feed.end_rapid();
   push(s, move);
 }
@@ -228,6 +229,7 @@ void emit_unread(States& s, const char* reason, std::size_t statement) {
   s.chain.forbid_link();
   s.curve.end_tangent();
   s.chain.stand(move.end, Reasons::kAfterUnread);
+  s.homed_axes = {};
   s.feed.end_rapid();
   push(s, move);
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "lib/base/letters.h"
 #include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/frame_state.h"
@@ -59,15 +60,35 @@ void take_positions(States& s, PositionForm form) {
   if (!is_going_on) s.curve.end_statement();
 }
 
+// Takes the names of a GOHOME. Returns whether X, Y and Z are at home now. Before Z is there, an axis takes the tool past
+// the part on a way that the file does not state; a rotary axis turns the part at the tool. With Z alone, the tool is at
+// an unknown height above its last position.
+bool brings_home(States& s) {
+  CapitalSet homed = s.homed_axes;
+  for (const Argument& argument : s.in.arguments) homed.add(capital(argument.text.front()));
+  if (!homed.has('Z') && s.chain.last_pose()) emit_unread(s, s.in.because(Reasons::kHomeOfAxes));
+  s.chain.lose_last_pose(Reasons::kAfterHomeOfAxes);
+  s.homed_axes = homed;
+  return homed.has('X') && homed.has('Y') && homed.has('Z');
+}
+
+// Returns whether the last move is a RETRCT to a plane above the position before it.
+bool has_risen(const States& s) {
+  const Moves& moves = s.in.path.moves;
+  return s.retracted && moves.size() > 1 &&
+         (moves[moves.size() - 2].end.tip - s.retracted->tip).norm() > Tolerance::kSamePoint_mm;
+}
+
 // Returns the start of a GODLTA. A step continues from the previous position. For a hole that is its own position,
 // independent of the motion of the cycle, which the post-processor makes. After the last hole the tool is elsewhere,
-// and files do not show from which of both positions a step continues.
+// and files do not show from which of both positions a step continues. The same holds after RETRCT, which is a word of
+// the post-processor: the step continues from the position before it, or from the plane.
 std::optional<Pose> start_of_step(const States& s) {
   if (s.chain.last_uncertainty() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
   const std::optional<Pose>& hole = s.cycle.last_hole();
   if (hole && s.cycle.is_on()) return hole;
   const bool is_elsewhere = hole && (hole->tip - s.chain.last_pose()->tip).norm() > Tolerance::kSamePoint_mm;
-  if (s.chain.unknown_start() != nullptr || is_elsewhere) return std::nullopt;
+  if (s.chain.unknown_start() != nullptr || is_elsewhere || has_risen(s)) return std::nullopt;
   return s.chain.last_pose();
 }
 
@@ -116,13 +137,14 @@ void take_godlta(States& s) {
   s.curve.end_arcs();
 }
 
-// Takes GOHOME. In GOHOME / Z the named axes go home at rapid. No file states the home position, so the next position
-// has no start, as after GOHOME without words.
+// Takes GOHOME. In GOHOME / Z the named axes go home at rapid. No file states the home position, so nothing leads to the
+// next position.
 void take_gohome(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
   const bool names_axes = s.in.dialect.gohome_names_axes && std::ranges::all_of(arguments, is_axis_name);
   if (!arguments.empty() && !names_axes) return take_positions(s, PositionForm::gohome);
   s.feed.end_rapid();
+  if (!arguments.empty() && !brings_home(s)) return;
   break_motion(s);
   s.chain.forbid_link();
 }

@@ -16,9 +16,11 @@ struct Row {
 };
 
 // All reasons that are not in this table are not_understood.
-constexpr std::array<Row, 12> kKinds = {{{Reasons::kCutcom, ReasonKind::compensated},
+constexpr std::array<Row, 14> kKinds = {{{Reasons::kCutcom, ReasonKind::compensated},
                                          {Reasons::kAfterCutcom, ReasonKind::compensated},
                                          {Reasons::kAfterRetract, ReasonKind::after_retract},
+                                         {Reasons::kAfterHomeOfAxes, ReasonKind::after_retract},
+                                         {Reasons::kHomeOfAxes, ReasonKind::unread},
                                          {Reasons::kRetractPlane, ReasonKind::around_hole},
                                          {Reasons::kAfterCycle, ReasonKind::around_hole},
                                          {Reasons::kSixNumbers, ReasonKind::unread},

@@ -55,6 +55,9 @@ struct Reasons {
       "follows the end of the program: which unit, tool, tool axis and frame hold, the file does not say";
   static constexpr const char* kSkipped = "left out where the control's block skip is on";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
+  static constexpr const char* kAfterHomeOfAxes = "starts at an unknown position after GOHOME of single axes";
+  static constexpr const char* kHomeOfAxes =
+      "axes go home before Z does: how the tool passes the part the file does not say";
   static constexpr const char* kUnloadedCutter =
       "another cutter of the loaded tool, and no loading since: it may be that of the next tool";
   static constexpr const char* kReadyTool =

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/letters.h"
 #include "lib/base/units.h"
 #include "postproc/cldata/interpreting/arc_senses.h"
 #include "postproc/cldata/interpreting/axis_state.h"
@@ -157,6 +158,7 @@ struct States {
   bool is_behind_skip = false;             ///< no position since OPSKIP/OFF, and some between ON and OFF
   std::optional<double> clear_plane_mm;    ///< CLEARP: Z of a plane perpendicular to the axis, in the frame in force
   std::vector<Pose> open_places;           ///< places where the tool may be after a hole
+  CapitalSet homed_axes;                   ///< axes that went home since the last position
   std::optional<Pose> retracted;           ///< position after RETRCT, until the next position
   bool skips_more_than_motion = false;     ///< between OPSKIP/ON and OFF there is a statement that OFF does not undo
   std::size_t run_begin = 0;               ///< the first move since the last tool or operation

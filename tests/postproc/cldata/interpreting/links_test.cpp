@@ -84,5 +84,41 @@ TEST(Links, APlaceThatIsUnknownStaysSoOverWordsThatMoveNothing) {
   EXPECT_TRUE(third_of("RETRCT\nGOHOME\n").not_checked_reason.empty());
 }
 
+TEST(Links, OnlyTheHomeOfAllLinearAxesLeavesTheNextPositionAlone) {
+  for (const char* home :
+       {"GOHOME\n", "GOHOME/X,Y,Z\n", "GOHOME / Z\nGOHOME / X,Y\n", "GOHOME/ZAXIS,A\nGOHOME/X,Y,C\n"}) {
+    const Move move = third_of(home);
+    EXPECT_TRUE(!move.has_start && !move.is_linked && move.not_checked_reason.empty()) << home;
+  }
+  for (const char* home : {"GOHOME/Z\n", "GOHOME/A,Z\n", "GOHOME / Z\nGOHOME / X\n", "GOHOME/Z\nGOHOME/C\n",
+                           "GOHOME/Z\nLOADTL/1\n", "GOHOME/Z\nFROM/5,0,0\n"}) {
+    const Move move = third_of(home);
+    EXPECT_EQ(kind_of(move.not_checked_reason), ReasonKind::after_retract) << home;
+  }
+  EXPECT_TRUE(third_of("GOHOME/Z\nLOADTL/2\n").not_checked_reason.empty());
+}
+
+TEST(Links, AnAxisThatGoesHomeBeforeZTakesAWayThatIsNotStated) {
+  for (const char* home : {"GOHOME/C\n", "GOHOME/A\n", "GOHOME/X\n", "GOHOME/Y\n", "GOHOME/X,Y\n"}) {
+    for (const char* next : {"GOTO/9,0,0\n", "LOADTL/2\nGOTO/9,0,0\n", "GOHOME/Z\nGOHOME/X,Y\nGOTO/9,0,0\n", ""}) {
+      const Move move = third_of(home, kBefore, next);
+      EXPECT_EQ(kind_of(move.not_checked_reason), ReasonKind::unread) << home << next;
+      EXPECT_EQ(move.line, 5U);
+    }
+    EXPECT_EQ(path_of("UNITS/MM\nLOADTL/1\n" + std::string(home) + "GOTO/9,0,0\nFINI\n").moves.size(), 1U);
+  }
+}
+
+TEST(Links, AStepAfterRetrctStartsAtThePositionBeforeOrInThePlane) {
+  for (const char* plane : {"", "CLEARP/XYPLAN,50\n"}) {
+    const Toolpath path = path_of(kBefore + plane + "RETRCT\nGODLTA/0,10,0\nGOTO/9,0,0\nFINI\n");
+    const std::size_t step = path.moves.size() - 2;
+    EXPECT_EQ(kind_of(path.moves[step].not_checked_reason), ReasonKind::unread) << plane;
+    EXPECT_FALSE(path.moves[step + 1].has_start) << plane;
+  }
+  const Toolpath stands = path_of(kBefore + "CLEARP/XYPLAN,0\nRETRCT\nGODLTA/0,10,0\nFINI\n");
+  for (const Move& move : stands.moves) EXPECT_TRUE(move.not_checked_reason.empty() || move.is_covered());
+}
+
 }  // namespace
 }  // namespace gouge::links_test
