@@ -31,6 +31,12 @@ class MotionChain {
   void break_off();
   /// Forbids a link: the tool may not have been at the last position when it moved to the next one.
   void forbid_link() { can_link_ = false; }
+  /// Allows a link that was allowed in an earlier state of the chain, since which the tool may not have moved.
+  void keep_link(const MotionChain& before) {
+    if (!before.can_link_) return;
+    can_link_ = true;
+    if (lost_start_ == nullptr) lost_start_ = before.lost_start_;
+  }
   /// Makes the end of `move`, which is about to become the last move, the last pose. `uncertainty` is why that place is
   /// unknown, or null. Links the move to the last one if the same tool was there; where the tool was after that one is
   /// unknown, the move is not checked.

@@ -56,7 +56,7 @@ void AxisState::take_tlaxis() {
   fixed_axis_ = *axis;
   locked_axis_.reset();
   is_lock_lost_ = false;
-  is_fixed_doubtful_ = false;
+  is_fixed_doubtful_ = is_modal_doubtful_ = false;
   is_last_tilted_ = false;
   is_tlaxis_new_ = has_tlaxis_ = true;
   if (in_.dialect.is_axis_modal) modal_axis_ = *axis;
@@ -75,6 +75,19 @@ void AxisState::note_frame(bool says_axis) {
   locked_axis_.reset();
   last_axis_.reset();
   is_lock_lost_ = is_lost;
+}
+
+void AxisState::join(const AxisState& other) {
+  const auto is_same = [](const std::optional<Vec3>& a, const std::optional<Vec3>& b) {
+    return a.has_value() == b.has_value() && (!a || !is_tilted(*a, *b));
+  };
+  const bool is_order_same =
+      is_tlaxis_new_ == other.is_tlaxis_new_ || !last_axis_ || !is_tilted(*last_axis_, fixed_axis_);
+  is_lock_lost_ = is_lock_lost_ || other.is_lock_lost_ || !is_same(last_axis_, other.last_axis_) || !is_order_same;
+  is_last_tilted_ = is_last_tilted_ || other.is_last_tilted_;
+  is_fixed_doubtful_ = is_fixed_doubtful_ || other.is_fixed_doubtful_;
+  is_modal_doubtful_ = is_modal_doubtful_ || other.is_modal_doubtful_ ||
+                       (in_.dialect.is_axis_modal && !is_same(modal_axis_, other.modal_axis_));
 }
 
 bool AxisState::are_axes_unit() const {
@@ -138,7 +151,8 @@ std::pair<std::size_t, std::size_t> AxisState::note_list(std::size_t numbers) {
 // fixed one.
 bool AxisState::is_doubtful(const Position& position) {
   if (is_fixed_doubtful_ && position.numbers == 6 && in_.dialect.is_axis_modal) is_fixed_doubtful_ = false;
-  if (is_fixed_doubtful_ && position.numbers != 6) {
+  if (position.numbers == 6) is_modal_doubtful_ = false;
+  if ((is_fixed_doubtful_ || is_modal_doubtful_) && position.numbers != 6) {
     plain_after_tilt_.add(in_.line());
     return true;
   }

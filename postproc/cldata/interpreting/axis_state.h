@@ -20,12 +20,18 @@ class AxisState {
   /// Ignores TLAXIS statements, which CAMplete may declare to be comments.
   void ignore_tlaxis() { is_tlaxis_ignored_ = true; }
   [[nodiscard]] bool is_tlaxis_ignored() const { return is_tlaxis_ignored_; }
-  void begin_block() { modal_axis_ = Vec3::UnitZ(); }
+  void begin_block() {
+    modal_axis_ = Vec3::UnitZ();
+    is_modal_doubtful_ = false;
+  }
   /// Notes the axis that stays in force after a position or a control point.
   void note_position(const Vec3& axis_local);
   /// Notes that positions are in another frame from here on. With `says_axis` the Z axis of this frame is the axis of
   /// positions without one.
   void note_frame(bool says_axis);
+
+  /// Joins the state of another reading of the file. An axis that differs is unknown until the file states one.
+  void join(const AxisState& other);
 
   [[nodiscard]] bool is_multax_on() const { return multax_.value_or(false); }
   /// Returns whether there was a TLAXIS since the last position.
@@ -45,6 +51,8 @@ class AxisState {
   /// positions too.
   [[nodiscard]] std::pair<std::size_t, std::size_t> note_list(std::size_t numbers);
   [[nodiscard]] bool is_doubtful(const Position& position);
+  /// Returns whether the axis that positions have left in force is unknown.
+  [[nodiscard]] bool is_modal_doubtful() const { return is_modal_doubtful_; }
   /// Returns the unit vector at argument `first`; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read(std::size_t first);
 
@@ -70,7 +78,8 @@ class AxisState {
   bool is_tlaxis_ignored_ = false;
   bool is_last_tilted_ = false;
   bool is_fixed_doubtful_ = false;  // the fixed axis after MULTAX/OFF is uncertain
-  bool is_lock_lost_ = false;       // the last axis was in another frame
+  bool is_lock_lost_ = false;       // the last axis was in another frame, or differs between readings
+  bool is_modal_doubtful_ = false;  // the last axis given differs between readings
   Tally plain_after_tilt_;
   std::size_t renormalised_ = 0;
   double worst_length_ = 1;

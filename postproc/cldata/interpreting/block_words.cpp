@@ -4,6 +4,7 @@
 #include <string>
 
 #include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/further_readings.h"
 #include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/post_words.h"
@@ -164,7 +165,10 @@ void take_free_text(States& s) {
       s.uncertainties.clear(Uncertainty::unknown);  // text before a program is not part of it
     }
   }
-  if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
+  if (equals_ignoring_case(major, "OPFEATEND")) {
+    s.setup.end_feature();
+    contradict_skip(s);
+  }
   // this statement mills letters
   if (equals_ignoring_case(major, "LETTER") && has_slash(s.in)) return take_unknown_statement(s);
   // Creo 9 writes REMARK -> in place of the comment $$-> of older files.

@@ -6,6 +6,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/further_readings.h"
 #include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
@@ -51,30 +52,13 @@ void take_codes(States& s, char letter) {
 
 }  // namespace
 
-// Takes OPSKIP. A switch of the control decides whether statements between ON and OFF run. A tool, a frame or a cycle
-// that begins or ends between them may hold after OFF, or not.
-void take_opskip(States& s) {
-  const bool is_on = s.in.has("ON");
-  const bool is_understood = is_on != s.in.has("OFF");
-  if (!is_understood) s.in.count_unknown();
-  if (is_understood && s.skips_more_than_motion) return;
-  const bool was_on = s.uncertainties.has(Uncertainty::skip);
-  switch_uncertainty(s, Uncertainty::skip, is_on || !is_understood, Reasons::kSkipped);
-  s.skips_more_than_motion = !is_understood;
-  if (!is_on && was_on) s.is_behind_skip = s.in.moves() > s.skip_begin;
-  if (!is_on || was_on) return;
-  s.skip_reason = s.uncertainties.reason();
-  s.skip_begin = s.in.moves();
-  s.skip_start.reset();
-  if (s.chain.is_start_certain()) s.skip_start = s.chain.last_pose();
-}
-
 // Applies the effects of text for the control. A code that ends a shift need not end the one in force. A code that ends
 // cycles or steps ends all of them.
 void take_machine_text(States& s, const MachineEffect& effect) {
   const bool is_other_unit = effect.unit && std::abs(mm_per(*effect.unit) - s.frame.mm_per_unit()) > 0;
   if (effect.is_unknown) return take_unknown_statement(s);
   if (effect.smooths && s.smoothing_line == 0) s.smoothing_line = s.in.line();
+  if (has_effect(effect)) contradict_skip(s);
   const bool moves = effect.moves || effect.changes_tool;
   const bool shifts = effect.shifts || is_other_unit;
   if (!effect.work_offset.empty()) choose_offset(s, effect.work_offset);

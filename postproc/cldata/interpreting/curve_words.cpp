@@ -121,7 +121,8 @@ void take_tlon(States& s) {
   const bool is_doubtful = !s.axes.is_multax_on() && s.axes.is_doubtful(position);
   position.uncertainty = is_doubtful ? Reasons::kPlainAxis : nullptr;
   emit(s, position);
-  if (is_doubtful) s.chain.lose_start(Reasons::kPlainAxis);
+  const bool is_axis_lost = !is_start_known && s.axes.is_multax_on();
+  if (is_doubtful || is_axis_lost) s.chain.lose_start(Reasons::kPlainAxis);
   s.curve.end_arc();
 }
 

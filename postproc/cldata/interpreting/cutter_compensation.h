@@ -31,6 +31,11 @@ class CutterCompensation {
   void end_contour() { is_contour_ = false; }
   [[nodiscard]] bool is_centre() const { return is_centre_; }
 
+  /// Returns whether the compensation and the meaning of positions are those of `other`.
+  [[nodiscard]] bool is_same(const CutterCompensation& other) const {
+    return side_ == other.side_ && is_centre_ == other.is_centre_ && is_contour_ == other.is_contour_;
+  }
+
   [[nodiscard]] CutcomSide side() const { return side_; }
   /// Returns why the next motion is not checked; empty if CUTCOM does not prevent its check.
   [[nodiscard]] std::string_view reason() const;

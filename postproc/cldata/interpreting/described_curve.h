@@ -63,6 +63,8 @@ class DescribedCurve {
   [[nodiscard]] bool is_open() const { return arc_ || has_tangent_; }
   /// Returns the statement of CIRCLE, MOVARC or INDIRV, or kNone.
   [[nodiscard]] std::size_t statement() const { return statement_; }
+  /// Returns whether a next position may continue along the last curve.
+  [[nodiscard]] bool may_go_on() const { return in_.dialect.may_go_on_round && last_arc_; }
   // Returns whether a position may continue along the last curve. In the text of NCL every position has its own
   // statement. In its binary files, positions after a circle continue along it.
   [[nodiscard]] bool may_go_on(const Position& position) const {

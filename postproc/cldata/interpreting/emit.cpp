@@ -122,23 +122,27 @@ void emit(States& s, const Position& position) {
     return emit_hole(s, position, *s.cycle.drill());
 
   const bool is_arc = !is_cycle && (s.curve.arc() || position.form == PositionForm::curve);
-  const bool was_rapid_pending = s.feed.is_rapid_pending();
+  const bool was_rapid_pending = s.feed.is_rapid_pending(), was_kind_doubtful = s.feed.is_kind_doubtful();
   const bool may_be_rapid = !is_cycle && !is_from && position.form != PositionForm::gohome && s.feed.may_be_rapid();
   if (s.feed.is_rapid() || may_be_rapid) s.feed.note_rapid_position();
   const bool is_rapid = s.feed.is_rapid() || is_from || position.form == PositionForm::gohome;
   if (!is_cycle) settle_retract(s, position);
+  const bool is_kind_doubtful = was_kind_doubtful && !is_from && position.form != PositionForm::gohome;
+  if (!is_cycle && !is_arc && !is_kind_doubtful) find_start_behind_skip(s, position);
   Move move = make_move(s, position,
                         is_cycle   ? MoveKind::cycle
                         : is_arc   ? MoveKind::arc
                         : is_rapid ? MoveKind::rapid
                                    : MoveKind::feed);
   if (may_be_rapid) move.set_feed({0, FeedUnit::rapid});  // so it must be clear of stock, and removes none
+  if (move.not_checked_reason.empty() && is_kind_doubtful) move.not_checked_reason = s.skip_reason;
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
   if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
   s.arc_slope_mm.reset();
   const bool has_part_of_turn = move.not_checked_reason == ArcProblems::kTimes;
   append(s, move, position);
   if (is_from && was_rapid_pending) s.feed.keep_rapid_over_from();
+  if (is_from && was_kind_doubtful) s.feed.doubt_kind();
   if (has_part_of_turn) emit_one_turn_more(s, position);
   emit_from_before_skip(s, position);
   emit_from_retract(s, position);
@@ -235,6 +239,7 @@ void emit_unread(States& s, const char* reason, std::size_t statement) {
 }
 
 void break_motion(States& s) {
+  find_start_for_link(s);
   s.chain.break_off();
   s.open_places.clear();
   s.retracted.reset();
@@ -284,6 +289,7 @@ void end_nurbs(States& s) {
   if (!end) return;
   s.curve.end_arc();
   emit(s, *end);
+  if (s.axes.is_modal_doubtful()) s.chain.lose_start(Reasons::kPlainAxis);
   s.in.path.moves.back().statement = statement;
   s.in.path.moves.back().line = s.nurbs.line();
   if (s.records != nullptr) s.records->of_move.back().statement = statement;

@@ -11,24 +11,6 @@
 namespace gouge {
 namespace {
 
-// Makes the last move clean only if its other readings are clean.
-void open_last_move(States& s, const char* reason) {
-  Move& last = s.in.path.moves.back();
-  if (last.not_checked_reason.empty()) {
-    last.not_checked_reason = reason;
-    last.cover = Cover::motion;
-  }
-}
-
-// Appends a reading. It has no position of its own, so it is not written.
-void push_reading(States& s, const Position& position, Move move) {
-  Position reading = position;
-  reading.form = PositionForm::unread;
-  reading.numbers = 0;
-  move.is_linked = false;
-  push_move(s, move, reading);
-}
-
 // Adds the reading of the last move with another sweep.
 void emit_other_sweep(States& s, const Position& position, double sweep_rad, Move move) {
   const Moves& moves = s.in.path.moves;
@@ -47,6 +29,22 @@ void emit_other_sweep(States& s, const Position& position, double sweep_rad, Mov
 
 }  // namespace
 
+void open_last_move(States& s, const char* reason) {
+  Move& last = s.in.path.moves.back();
+  if (last.not_checked_reason.empty()) {
+    last.not_checked_reason = reason;
+    last.cover = Cover::motion;
+  }
+}
+
+void push_reading(States& s, const Position& position, Move move) {
+  Position reading = position;
+  reading.form = PositionForm::unread;
+  reading.numbers = 0;
+  move.is_linked = false;
+  push_move(s, move, reading);
+}
+
 // Adds a reading of one more turn. The file does not state whether the part of a turn counts as one of TIMES.
 void emit_one_turn_more(States& s, const Position& position) {
   constexpr double kTurn = 2 * std::numbers::pi;
@@ -54,25 +52,6 @@ void emit_one_turn_more(States& s, const Position& position) {
   if (last.curve_kind != CurveKind::arc || s.in.moves() < 2) return;
   const double sweep = s.in.path.arcs[last.curve].sweep_rad;
   emit_other_sweep(s, position, sweep + (sweep < 0 ? -kTurn : kTurn), last);
-}
-
-// Adds the reading from the position before a block skip, which may be the start of the move after it.
-void emit_from_before_skip(States& s, const Position& position) {
-  if (!std::exchange(s.is_behind_skip, false)) return;
-  Move& last = s.in.path.moves.back();
-  if (!last.has_start && last.not_checked_reason.empty()) {  // nothing is swept to it
-    last.is_linked = false;
-    return;
-  }
-  const bool can_be_read = s.skip_start && last.curve_kind == CurveKind::none && last.has_start &&
-                           (last.not_checked_reason.empty() || last.is_covered());
-  if (!can_be_read) {
-    if (last.not_checked_reason.empty() || last.is_covered()) last.not_checked_reason = s.skip_reason;
-    last.cover = Cover::none;
-    return;
-  }
-  const Pose end = last.end;
-  emit_other_way(s, position, *s.skip_start, {&end, 1}, s.skip_reason);
 }
 
 // Adds the readings from the plane of CLEARP: straight to the position, or first across to it.
@@ -113,7 +92,7 @@ void settle_retract(States& s, const Position& position) {
   if (s.in.dialect.cycle_form != CycleForm::catia) return;
   if (s.in.path.moves.empty() || !s.chain.last_pose() || s.chain.unknown_start() == nullptr) return;
   Move& last = s.in.path.moves.back();
-  if (last.not_checked_reason != Reasons::kRetractPlane) return;
+  if (s.is_behind_skip || last.not_checked_reason != Reasons::kRetractPlane) return;
   const Pose here = s.frame.to_local(*s.chain.last_pose());
   const Vec3 way = position.tip_local - here.tip;
   const double height = way.dot(here.axis);

@@ -7,6 +7,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/further_readings.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -206,12 +207,12 @@ constexpr WordSet kTools = {Word::cutter,           Word::tldata,     Word::load
                             Word::extension_length, Word::unread_tool};
 constexpr WordSet kCurves = {Word::circle,  Word::movarc, Word::curve, Word::indirv, Word::arc_record,
                              Word::helical, Word::movnrb, Word::tlon,  Word::nurbs,  Word::cntrl};
-constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion, Word::godlta};
+constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion, Word::godlta, Word::opskip};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
 // Other words whose states may hold for more than the next motion.
-constexpr WordSet kMayLast = {Word::cycle,  Word::curve, Word::auxfun, Word::prefun,     Word::setup,
-                              Word::select, Word::index, Word::copy,   Word::arc_record, Word::repeat};
+constexpr WordSet kMayLast = {Word::cycle, Word::curve, Word::auxfun,     Word::prefun, Word::setup, Word::select,
+                              Word::index, Word::copy,  Word::arc_record, Word::repeat, Word::movnrb};
 
 struct ModalRule {
   ModalState state;
@@ -266,11 +267,11 @@ bool is_open(const States& s, ModalState state) {
     case ModalState::start_tangent:
       return s.curve.has_tangent();
     case ModalState::rapid:
-      return s.feed.is_rapid_pending();
+      return s.feed.is_rapid_pending() || s.feed.is_kind_doubtful();
     case ModalState::cutter_centre:
       return s.cutcom.is_centre();
     case ModalState::motion_run:
-      return true;
+      return !s.uncertainties.has(Uncertainty::skip);
     case ModalState::block_skip:
       return s.uncertainties.has(Uncertainty::skip);
     case ModalState::between_blocks:
@@ -303,8 +304,7 @@ void contradict(States& s, ModalState state) {
     case ModalState::start_tangent:
       return drop_described_curve(s);
     case ModalState::block_skip:
-      s.skips_more_than_motion = true;
-      return;
+      return contradict_skip(s);
     case ModalState::between_blocks:
       return s.blocks.note_frame_between();
     default:
@@ -316,9 +316,11 @@ void contradict(States& s, ModalState state) {
 
 Word acting_word(const Statement& statement, CommentForm comments) {
   if (equals_ignoring_case(statement.major, "OPFEATEND")) return Word::operation;
-  if (statement.word != Word::comment || statement.pieces.empty()) return statement.word;
+  const bool is_remark = statement.word == Word::free_text && starts_with_ignoring_case(statement.major, "REMARK");
+  if ((statement.word != Word::comment && !is_remark) || statement.pieces.empty()) return statement.word;
   const std::string_view text = trim(statement.pieces.front());
   if (comments == CommentForm::creo && text.starts_with("->")) return creo_word(trim(text.substr(2)));
+  if (is_remark) return statement.word;
   if (starts_with_ignoring_case(text, "*CATIA0")) return Word::mcs;
   if (comments == CommentForm::catia && starts_with_ignoring_case(text, "OPERATION NAME")) return Word::operation;
   return Word::comment;
@@ -345,8 +347,10 @@ void apply_modal_states(States& s, Word word) {
     if (effect == ModalEffect::ends) end_state(s, state);
     if (effect == ModalEffect::contradicts) contradict(s, state);
   }
-  // This word does not occur in cycles.
-  if (effect_on(ModalState::cycle, word, feeds, true) == ModalEffect::contradicts) s.cycle.bound_holes();
+  // This word does not occur in cycles. Within a block skip it may be left out.
+  if (!s.uncertainties.has(Uncertainty::skip) &&
+      effect_on(ModalState::cycle, word, feeds, true) == ModalEffect::contradicts)
+    s.cycle.bound_holes();
 }
 
 }  // namespace gouge

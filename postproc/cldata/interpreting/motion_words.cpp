@@ -165,7 +165,7 @@ void take_clear_plane(States& s) {
 void take_retract(States& s) {
   const bool is_known = s.in.arguments.empty() && s.clear_plane_mm && s.chain.is_start_certain() &&
                         s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() &&
-                        !s.cycle.is_doubtful() && !s.curve.is_open();
+                        !s.cycle.is_doubtful() && !s.curve.is_open() && !s.feed.is_kind_doubtful();
   const Pose here = is_known ? s.frame.to_local(*s.chain.last_pose()) : Pose{};
   if (!is_known || here.axis.cross(Vec3::UnitZ()).norm() > Tolerance::kSameDirection || here.axis.z() < 0 ||
       here.tip.z() > *s.clear_plane_mm)

@@ -82,7 +82,8 @@ bool is_repeatable(const States& s, const IndexedMoves& range) {
       return false;
   }
   return moves[range.begin].tool == s.tool.index() && s.chain.is_start_certain() &&
-         s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() && !s.curve.is_open();
+         s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() && !s.curve.is_open() &&
+         !s.feed.is_kind_doubtful();
 }
 
 struct CopyStatement {

@@ -45,11 +45,13 @@ class FeedState {
   }
   void take_spindle() { spindle_rpm_ = read_spindle_speed(in_.arguments).value_or(spindle_rpm_); }
   void begin_rapid() {
+    end_rapid();
     is_rapid_ = true;
-    is_rapid_before_from_ = false;
     rapid_statement_ = in_.index();
   }
-  void end_rapid() { is_rapid_ = is_rapid_before_from_ = false; }
+  void end_rapid() { is_rapid_ = is_rapid_before_from_ = is_kind_doubtful_ = false; }
+  /// Notes that the next motion is rapid in one reading of the file, and a feed in another one.
+  void doubt_kind() { is_kind_doubtful_ = true; }
   /// Notes that the first position of the present statement is, or may be, in rapid. Its further ones may be, too.
   void note_rapid_position() { rapid_list_ = in_.index(); }
   /// Notes that a FROM, which is no motion, follows a RAPID.
@@ -66,6 +68,12 @@ class FeedState {
   }
   /// Returns whether a RAPID awaits its motion, surely or perhaps.
   [[nodiscard]] bool is_rapid_pending() const { return is_rapid_ || is_rapid_before_from_; }
+  [[nodiscard]] bool is_kind_doubtful() const { return is_kind_doubtful_; }
+  /// Returns whether the next motion is of the same kind as in `other`.
+  [[nodiscard]] bool has_kind_of(const FeedState& other) const {
+    return is_rapid_ == other.is_rapid_ && is_rapid_before_from_ == other.is_rapid_before_from_ &&
+           is_kind_doubtful_ == other.is_kind_doubtful_;
+  }
   /// Returns the last RAPID, or kNone.
   [[nodiscard]] std::size_t rapid_statement() const { return rapid_statement_; }
 
@@ -76,6 +84,7 @@ class FeedState {
   bool has_feed_per_turn_ = false;  // a FEDRAT had this unit; then the unit of one without it is unknown
   bool is_rapid_ = false;
   bool is_rapid_before_from_ = false;
+  bool is_kind_doubtful_ = false;
   std::size_t rapid_statement_ = kNone;
   std::size_t rapid_list_ = kNone;  // statement whose first position is, or may be, in rapid
 };
@@ -103,6 +112,19 @@ struct MovnrbState {
   bool is_on = false;       ///< positions on the curve follow
   std::size_t begin = 0;    ///< the move along the curve
   Vec3 end = Vec3::Zero();  ///< end of the curve, in part coordinates
+};
+
+/// The states at OPSKIP/ON. They are those behind OPSKIP/OFF if the control leaves out the statements between.
+struct BeforeSkip {
+  const char* reason;         ///< names the OPSKIP
+  std::optional<Pose> start;  ///< position of the tool, if it is known
+  MotionChain chain;
+  AxisState axes;
+  FeedState feed;
+  CutterCompensation cutcom;
+  Uncertainties uncertainties;
+  std::optional<double> clear_plane_mm, arc_slope_mm;
+  std::size_t frame_changes = 0, block = 0;
 };
 
 /// All data that a statement may examine or change. The file of each state describes the case that the file never ends
@@ -152,8 +174,9 @@ struct States {
   std::size_t frame_changes = 0;
   bool is_frame_stated = false;            ///< by a word that set_frame serves
   std::optional<double> arc_slope_mm;      ///< rise of the next arc, by ARCSLP
-  std::optional<Pose> skip_start;          ///< position before OPSKIP/ON, if it is known
-  const char* skip_reason = nullptr;       ///< reason of the last OPSKIP/ON
+  std::optional<BeforeSkip> before_skip;   ///< states before the last OPSKIP/ON
+  std::optional<Pose> skip_start;          ///< position before the skip that ended last, if both readings are known
+  const char* skip_reason = nullptr;       ///< reason of the skip that ended last
   std::size_t skip_begin = 0;              ///< the first move after OPSKIP/ON
   bool is_behind_skip = false;             ///< no position since OPSKIP/OFF, and some between ON and OFF
   std::optional<double> clear_plane_mm;    ///< CLEARP: Z of a plane perpendicular to the axis, in the frame in force

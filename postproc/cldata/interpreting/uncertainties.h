@@ -62,6 +62,12 @@ class Uncertainties {
     return has(uncertainty) &&
            std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;
   }
+  /// Returns whether all uncertainties except `except` are those of `other`.
+  [[nodiscard]] bool is_same(const Uncertainties& other, Uncertainty except) const {
+    std::array<const char*, kCount> own = reasons_;
+    own[static_cast<std::size_t>(except)] = other.reasons_[static_cast<std::size_t>(except)];
+    return own == other.reasons_;
+  }
   /// Returns the reason to report, or null.
   [[nodiscard]] const char* reason() const {
     const auto* const first =

@@ -29,6 +29,13 @@ struct MachineEffect {
   std::optional<LengthUnit> unit;  ///< unit of later numbers (G20, G21, G70, G71)
 };
 
+/// Returns whether the text moves or changes anything.
+[[nodiscard]] inline bool has_effect(const MachineEffect& effect) {
+  return effect.moves || effect.shifts || effect.begins_cycle || effect.ends_cycle || effect.begins_steps ||
+         effect.ends_steps || effect.changes_tool || effect.changes_length || effect.ends_program ||
+         effect.is_unknown || !effect.work_offset.empty() || effect.unit;
+}
+
 /// Reads one block. Block numbers, program names and comments have no effect. Comments are in brackets, except the
 /// functions of an Osai control, or after a semicolon, if that text is not a block.
 [[nodiscard]] MachineEffect read_machine_text(std::string_view text);

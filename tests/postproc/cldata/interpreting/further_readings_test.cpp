@@ -118,16 +118,6 @@ TEST(Arc, OfPartOfATurnAndTimesIsCheckedBothWays) {
   EXPECT_TRUE(path.moves[4].not_checked_reason.empty());
 }
 
-TEST(BlockSkip, IsCheckedRunAndLeftOut) {
-  const Toolpath path = path_of(apt("GOTO/0,0,9\nOPSKIP/ON\nGOTO/0,0,20\nOPSKIP/OFF\nGOTO/9,0,20\nGOTO/9,0,9\nFINI\n"));
-  ASSERT_EQ(path.moves.size(), 6U);
-  EXPECT_EQ(covered(path), 4U);
-  expect_vector(path.moves[3].end.tip, 0, 0, 9);  // before the skip
-  EXPECT_FALSE(path.moves[3].has_start);
-  expect_vector(path.moves[4].end.tip, 9, 0, 20);
-  EXPECT_TRUE(path.moves[5].not_checked_reason.empty());
-}
-
 TEST(Cutcom, IsCoveredByAWideToolAcrossTheAxisAlone) {
   const Toolpath path = path_of(apt("GOTO/0,0,9\nCUTCOM/LEFT\nGOTO/9,0,9\nCUTCOM/OFF\nGOTO/9,9,9\nGOTO/0,9,9\nFINI\n"));
   ASSERT_EQ(path.moves.size(), 4U);
