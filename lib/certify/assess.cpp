@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/certify/check.h"
+#include "lib/certify/obstructions.h"
 #include "lib/certify/placement.h"
+#include "lib/certify/settle_ways.h"
 #include "lib/check/contact_rule.h"
 #include "lib/motion/motion_law.h"
 
@@ -114,50 +115,6 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   return fact;
 }
 
-/// The highest point of meshes and stock in a direction.
-struct Top {
-  double height_mm = -std::numeric_limits<double>::infinity();  ///< with the clearance
-  bool has_clearance = false;
-};
-
-class Obstructions {
- public:
-  explicit Obstructions(const CheckSetup& setup) {
-    const std::vector<double> clearances = clearance_of_meshes(*setup.scene.scene);
-    std::size_t mesh = 0;
-    for (const PreparedObstacle& obstacle : setup.scene.obstacles()) {
-      for (std::size_t k = 0; k < obstacle.meshes.size(); ++k)
-        boxes_.emplace_back(box_of(obstacle.meshes.subspan(k, 1)), clearances.at(mesh++));
-    }
-    if (setup.stock != nullptr) boxes_.emplace_back(Box3(setup.stock->solid.low(), setup.stock->solid.high()), 0);
-  }
-
-  [[nodiscard]] Top top_along(const Vec3& direction) const {
-    Top top;
-    for (const auto& [box, clearance_mm] : boxes_) {
-      const double height_mm = highest_along(direction, box) + clearance_mm;
-      if (height_mm > top.height_mm) top = {height_mm, clearance_mm > 0};
-    }
-    return top;
-  }
-
- private:
-  std::vector<std::pair<Box3, double>> boxes_;  // with the clearance of the mesh
-};
-
-/// Returns the lowest point of all tools and heads along the tool axis, from the tip, at most 0. Stock to leave, clearances
-/// and tolerances of the motion are in the forms of the tools.
-double lowest_point_mm(const CheckSetup& setup) {
-  double lowest_mm = 0;
-  for (const ToolVariants* tool : setup.tools) {
-    if (tool == nullptr) continue;
-    for (const CompiledTool* form : {&tool->against_part, &tool->against_fixture, &tool->with_clearance})
-      if (!form->elements.empty()) lowest_mm = std::min(lowest_mm, form->z_min_mm);
-  }
-  for (const HeadBody& head : setup.heads) lowest_mm = std::min(lowest_mm, head.box.min().z());
-  return lowest_mm;
-}
-
 std::string text_in(LengthUnit unit, double length_mm) {
   return display_text(length_mm / mm_per(unit), 4) + " " + unit_name(unit);
 }
@@ -254,6 +211,7 @@ void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result) 
   result.fit = find_path_fit(path, result.verdicts, setup.tools, setup.scene, threads);
   Assumptions facts = path.assumptions;
   settle_approaches(path, setup, facts);
+  settle_ways(path, setup, result.verdicts, facts);
   facts.push_back(motion_law_fact(path, setup.options.law, setup.basis.law_evidence));
   facts.insert(facts.end(), setup.basis.inputs.begin(), setup.basis.inputs.end());
   if (!setup.scene.workpiece().meshes.empty()) {

@@ -107,6 +107,9 @@ struct Move {
   /// True for a single position of the tool that was at the end of the move before it. The file does not state the
   /// motion between both, and states no way home.
   bool is_linked = false;
+  /// True for a single position of CL data to which the file states no way at all: the first of the file, of another tool,
+  /// or after the way home. The tool leaves the position before it on a way that is not stated either.
+  bool begins_stretch = false;
   /// True for a motion without tool centre point control, which programs of a machine can state: all joints run, and tip
   /// and axis follow them. False: the tip runs as the path states.
   bool runs_joints = false;

@@ -43,7 +43,8 @@ void MotionChain::attach_link(Move& move) {
   }
 }
 
-void MotionChain::advance(Move& move, const char* uncertainty) {
+bool MotionChain::advance(Move& move, const char* uncertainty) {
+  const bool is_alone = !last_pose_;
   if (is_broken_) not_swept_.add(move.line);
   attach_link(move);
   is_broken_ = false;
@@ -51,6 +52,7 @@ void MotionChain::advance(Move& move, const char* uncertainty) {
   last_uncertainty_ = uncertainty;
   unknown_start_ = nullptr;
   was_from_ = false;
+  return is_alone && !move.is_linked;
 }
 
 void MotionChain::stand(const Pose& end, const char* reason) {

@@ -39,8 +39,8 @@ class MotionChain {
   }
   /// Makes the end of `move`, which is about to become the last move, the last pose. `uncertainty` is why that place is
   /// unknown, or null. Links the move to the last one if the same tool was there; where the tool was after that one is
-  /// unknown, the move is not checked.
-  void advance(Move& move, const char* uncertainty);
+  /// unknown, the move is not checked. Returns whether the file states no way at all to it.
+  bool advance(Move& move, const char* uncertainty);
   /// Handles a motion with an unknown end, which is reported at `end`.
   void stand(const Pose& end, const char* reason);
   void note_from(bool is_from) { was_from_ = is_from; }

@@ -200,7 +200,7 @@ void append(States& s, Move move, const Position& position) {
   record(s, move, position);
   s.axes.note_position(position.axis_local);
   s.senses.note_motion(move, s.chain.last_pose());
-  s.chain.advance(move, is_skipped(s) ? nullptr : s.uncertainties.reason());
+  move.begins_stretch = s.chain.advance(move, is_skipped(s) ? nullptr : s.uncertainties.reason());
   s.cycle.leave_hole();
   s.cutcom.note_position();
   s.homed_axes = {};

@@ -42,6 +42,7 @@ void push_reading(States& s, const Position& position, Move move) {
   reading.form = PositionForm::unread;
   reading.numbers = 0;
   move.is_linked = false;
+  move.begins_stretch = false;
   push_move(s, move, reading);
 }
 

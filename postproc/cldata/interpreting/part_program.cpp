@@ -117,6 +117,7 @@ void repeat_move(States& s, std::size_t index, const Vec3& shift) {
   move.end.tip += shift;
   move.has_start = true;
   move.is_linked = false;
+  move.begins_stretch = false;
   if (move.curve_kind == CurveKind::arc) {
     PathArc arc = s.in.path.arcs[move.curve];
     arc.center += shift;

@@ -1,7 +1,9 @@
 // The connection of a position with the one before it where the file states no motion between them.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "postproc/cldata/interpreting/reasons.h"
 #include "tests/postproc/cldata/path_of.h"
@@ -118,6 +120,28 @@ TEST(Links, AStepAfterRetrctStartsAtThePositionBeforeOrInThePlane) {
   }
   const Toolpath stands = path_of(kBefore + "CLEARP/XYPLAN,0\nRETRCT\nGODLTA/0,10,0\nFINI\n");
   for (const Move& move : stands.moves) EXPECT_TRUE(move.not_checked_reason.empty() || move.is_covered());
+}
+
+// Returns the lines of the positions to which the file states no way.
+std::vector<std::size_t> lines_of_stretches(const std::string& text) {
+  std::vector<std::size_t> lines;
+  for (const Move& move : path_of(text).moves) {
+    if (move.begins_stretch) lines.push_back(move.line);
+  }
+  return lines;
+}
+
+TEST(Stretches, BeginAtTheFirstPositionOfFileAndToolAndAfterHome) {
+  using Lines = std::vector<std::size_t>;
+  EXPECT_EQ(lines_of_stretches(kBefore + "GOTO/3,0,0\nFINI\n"), Lines{3});
+  EXPECT_EQ(lines_of_stretches(kBefore + "LOADTL/2\nGOTO/3,0,0\nFINI\n"), (Lines{3, 6}));
+  EXPECT_EQ(lines_of_stretches(kBefore + "GOHOME\nGOTO/3,0,0\nFINI\n"), (Lines{3, 6}));
+  EXPECT_EQ(lines_of_stretches(kBefore + "LOADTL/1\nFROM/3,0,0\nFINI\n"), Lines{3}) << "linked";
+  EXPECT_EQ(lines_of_stretches(kBefore + "RETRCT\nGOTO/3,0,0\nFINI\n"), Lines{3}) << "not checked";
+  EXPECT_EQ(lines_of_stretches("UNITS/MM\nLOADTL/1\nFROM/0,0,9\nGOTO/1,0,0\nFINI\n"), Lines{3});
+  EXPECT_EQ(lines_of_stretches("UNITS/MM\nLOADTL/1\nINDEX/1\nGOTO/1,0,0\nGOTO/2,0,0\nINDEX/1,NOMORE\n"
+                               "COPY/1,TRANSL,5,0,0,2\nFINI\n"),
+            Lines{4});
 }
 
 }  // namespace
