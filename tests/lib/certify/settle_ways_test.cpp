@@ -16,9 +16,9 @@ namespace {
 
 /// A T-slot of 26 mm with a neck of 10 mm, open at both ends, along Y.
 Scene slot() {
-  return {{shapes::box({-50, 0, -40}, {50, 100, -32}), shapes::box({-50, 0, -32}, {-13, 100, 0}),
-           shapes::box({13, 0, -32}, {50, 100, 0}), shapes::box({-13, 0, -20}, {-5, 100, 0}),
-           shapes::box({5, 0, -20}, {13, 100, 0})},
+  return {{shapes::box({-50, 0, -40}, {50, 100, -27}), shapes::box({-50, 0, -27}, {-13, 100, 0}),
+           shapes::box({13, 0, -27}, {50, 100, 0}), shapes::box({-13, 0, -14}, {-5, 100, 0}),
+           shapes::box({5, 0, -14}, {13, 100, 0})},
           {}};
 }
 
@@ -38,11 +38,11 @@ Assumption complete_of(const Toolpath& path, const ToolVariants& tool, const Sce
   throw std::logic_error("no fact complete");
 }
 
-const Pose kOutside = paths::upright(0, -30, -30), kInside = paths::upright(0, 50, -30);
+const Pose kOutside = paths::upright(0, -30, -25), kInside = paths::upright(0, 50, -25);
 
 TEST(Ways, ThatAreFreeAlongTheAxisAreADefault) {
   const Assumption fact =
-      complete_of(of_file({kOutside, kInside, paths::upright(0, 130, -30)}), cutter_of_slot(), slot());
+      complete_of(of_file({kOutside, kInside, paths::upright(0, 130, -25)}), cutter_of_slot(), slot());
   EXPECT_EQ(fact.basis, Basis::by_default);
   EXPECT_EQ(fact.value, "whole file without 2 ways to and from the part");
   EXPECT_FALSE(fact.is_open);
@@ -65,7 +65,7 @@ TEST(Ways, IntoAnUndercutAreUnknown) {
 }
 
 TEST(Ways, BetweenTwoStretchesAreThoseFromTheFirstAndToTheSecond) {
-  Toolpath path = of_file({kOutside, kInside, kOutside, paths::upright(0, -40, -30)});
+  Toolpath path = of_file({kOutside, kInside, kOutside, paths::upright(0, -40, -25)});
   path.moves[2].has_start = false;
   EXPECT_EQ(complete_of(path, cutter_of_slot(), slot()).basis, Basis::by_default) << "no way is missing there";
   path.moves[2].begins_stretch = true;
