@@ -118,6 +118,7 @@ void emit(States& s, const Position& position) {
   if (s.cycle.is_doubtful()) return emit_uncertain(s, position);
   const bool is_cycle =
       s.cycle.is_on() && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
+  if (is_cycle) s.control_motion.note(MotionCode::other);
   if (is_cycle && s.cycle.drill() && s.uncertainties.reason() == nullptr)
     return emit_hole(s, position, *s.cycle.drill());
 
@@ -135,6 +136,12 @@ void emit(States& s, const Position& position) {
                         : is_rapid ? MoveKind::rapid
                                    : MoveKind::feed);
   if (may_be_rapid) move.set_feed({0, FeedUnit::rapid});  // so it must be clear of stock, and removes none
+  const bool is_code_known = !may_be_rapid && !is_arc && !is_kind_doubtful;
+  const char* const other_code = is_from || is_cycle ? nullptr
+                                                     : s.control_motion.note(!is_code_known ? MotionCode::other
+                                                                             : is_rapid     ? MotionCode::rapid
+                                                                                            : MotionCode::straight);
+  if (move.not_checked_reason.empty() && other_code != nullptr) move.not_checked_reason = other_code;
   if (move.not_checked_reason.empty() && is_kind_doubtful) move.not_checked_reason = s.skip_reason;
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
   if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
@@ -239,6 +246,7 @@ void emit_unread(States& s, const char* reason, std::size_t statement) {
 }
 
 void break_motion(States& s) {
+  s.control_motion.note(MotionCode::other);
   find_start_for_link(s);
   s.chain.break_off();
   s.open_places.clear();

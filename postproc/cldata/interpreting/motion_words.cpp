@@ -163,6 +163,7 @@ void take_clear_plane(States& s) {
 
 // Takes RETRCT: the tool moves up to the plane of CLEARP if it is known; else it is at an unknown height.
 void take_retract(States& s) {
+  s.control_motion.note(MotionCode::other);
   const bool is_known = s.in.arguments.empty() && s.clear_plane_mm && s.chain.is_start_certain() &&
                         s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() &&
                         !s.cycle.is_doubtful() && !s.curve.is_open() && !s.feed.is_kind_doubtful();

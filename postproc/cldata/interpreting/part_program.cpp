@@ -83,7 +83,7 @@ bool is_repeatable(const States& s, const IndexedMoves& range) {
   }
   return moves[range.begin].tool == s.tool.index() && s.chain.is_start_certain() &&
          s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() && !s.curve.is_open() &&
-         !s.feed.is_kind_doubtful();
+         !s.feed.is_kind_doubtful() && !s.control_motion.is_doubtful();
 }
 
 struct CopyStatement {
@@ -158,6 +158,7 @@ void take_copy(States& s) {
   for (std::size_t k = 1; k <= copy->copies; ++k) {
     for (std::size_t i = range.begin; i < range.end; ++i) repeat_move(s, i, static_cast<double>(k) * shift);
   }
+  s.control_motion.note(MotionCode::other);
 }
 
 }  // namespace gouge

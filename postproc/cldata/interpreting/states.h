@@ -14,6 +14,7 @@
 #include "postproc/cldata/interpreting/block_state.h"
 #include "postproc/cldata/interpreting/catia_matrix.h"
 #include "postproc/cldata/interpreting/clt_setup.h"
+#include "postproc/cldata/interpreting/control_motion.h"
 #include "postproc/cldata/interpreting/cutter_compensation.h"
 #include "postproc/cldata/interpreting/cycle_state.h"
 #include "postproc/cldata/interpreting/described_curve.h"
@@ -142,6 +143,7 @@ struct States {
   AxisState axes{in, uncertainties};
   FeedState feed{in};
   FeedUnits feed_units;
+  ControlMotion control_motion;
   FrameState frame;
   BlockState blocks;
   CatiaMatrix matrix{in, frame};

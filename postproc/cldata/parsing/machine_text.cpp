@@ -106,6 +106,14 @@ bool has_meaning(Tokens codes, std::initializer_list<ControlMeaning> meanings) {
 // Returns whether a code uses the numbers of axes, which are then not a position to move to.
 bool takes_axes(Tokens codes) { return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes}); }
 
+// Notes a code of the group of G0 to G3. Of two codes the control may keep either.
+void note_motion_code(double number, MachineEffect& effect) {
+  constexpr double kLastArc = 3, kFirstThread = 32, kEndOfThreads = 34;
+  if (number > kLastArc && (number < kFirstThread || number >= kEndOfThreads)) return;
+  const bool is_line = !effect.motion_code && number <= 1 && std::floor(number) >= number;
+  effect.motion_code = !is_line ? MotionCode::other : number > 0 ? MotionCode::straight : MotionCode::rapid;
+}
+
 // Returns the name of an offset, with the tokens beside the code that belong to it.
 std::string offset_of(const Token& code, const ControlCode& row, Tokens tokens) {
   std::string name = "G" + exact_text(*code.number);
@@ -141,6 +149,7 @@ void take_addresses(Tokens tokens, MachineEffect& effect) {
     codes.push_back(t);
     const auto rows = find_control_code(static_cast<char>(t.letters[0] & ~0x20), *t.number);
     if (rows.empty()) effect.is_unknown = true;
+    if (is_address_of(t, "G")) note_motion_code(*t.number, effect);
     for (const ControlCode* row : rows) allowed += row->addresses;
   }
   const auto is_taken = [&](const Token& t) { return is_address_of(without_step(t), allowed); };

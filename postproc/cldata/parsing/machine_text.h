@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,28 +13,32 @@
 
 namespace gouge {
 
+/// A code that stays in force for the positions that follow: G0, G1, or one of the arcs and threads.
+enum class MotionCode : std::uint8_t { rapid, straight, other };
+
 /// All possible effects of a text. Several may hold; none holds for text that neither moves nor changes anything.
 struct MachineEffect {
-  bool moves = false;              ///< the tool moves to an unknown position
-  bool shifts = false;             ///< shifts, turns, scales, mirrors or compensates later positions
-  bool begins_cycle = false;       ///< every later position runs a cycle (G81, MCALL CYCLE81)
-  bool ends_cycle = false;         ///< G80, or MCALL alone
-  bool begins_steps = false;       ///< later numbers are steps (G91)
-  bool ends_steps = false;         ///< G90, after any G91 of the text
-  bool changes_tool = false;       ///< M6, TOOL CALL
-  bool changes_length = false;     ///< changes the tool length in the control: G43, G44, G49
-  bool ends_program = false;       ///< M2, M30
-  bool smooths = false;            ///< the control may leave the path: G187 P3, CYCLE832(0.1), G642
-  bool is_unknown = false;         ///< a word is not in the list: it may have any effect
-  std::string work_offset;         ///< the work offset that it chooses ("G54", "G54.1P3"); empty: none
-  std::optional<LengthUnit> unit;  ///< unit of later numbers (G20, G21, G70, G71)
+  bool moves = false;                     ///< the tool moves to an unknown position
+  bool shifts = false;                    ///< shifts, turns, scales, mirrors or compensates later positions
+  bool begins_cycle = false;              ///< every later position runs a cycle (G81, MCALL CYCLE81)
+  bool ends_cycle = false;                ///< G80, or MCALL alone
+  bool begins_steps = false;              ///< later numbers are steps (G91)
+  bool ends_steps = false;                ///< G90, after any G91 of the text
+  bool changes_tool = false;              ///< M6, TOOL CALL
+  bool changes_length = false;            ///< changes the tool length in the control: G43, G44, G49
+  bool ends_program = false;              ///< M2, M30
+  bool smooths = false;                   ///< the control may leave the path: G187 P3, CYCLE832(0.1), G642
+  bool is_unknown = false;                ///< a word is not in the list: it may have any effect
+  std::string work_offset;                ///< the work offset that it chooses ("G54", "G54.1P3"); empty: none
+  std::optional<MotionCode> motion_code;  ///< G0, G1 or another one, which may be wrong for later positions
+  std::optional<LengthUnit> unit;         ///< unit of later numbers (G20, G21, G70, G71)
 };
 
 /// Returns whether the text moves or changes anything.
 [[nodiscard]] inline bool has_effect(const MachineEffect& effect) {
   return effect.moves || effect.shifts || effect.begins_cycle || effect.ends_cycle || effect.begins_steps ||
          effect.ends_steps || effect.changes_tool || effect.changes_length || effect.ends_program ||
-         effect.is_unknown || !effect.work_offset.empty() || effect.unit;
+         effect.is_unknown || !effect.work_offset.empty() || effect.unit || effect.motion_code;
 }
 
 /// Reads one block. Block numbers, program names and comments have no effect. Comments are in brackets, except the
