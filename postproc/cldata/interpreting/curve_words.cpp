@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -44,10 +45,15 @@ void take_arc_record(States& s) {
   emit_curve_to(s, arc, *end);
 }
 
-// Takes ARCSLP/rise of DMG Mori, which precedes an arc with this rise.
+// Takes ARCSLP/rise, which holds for the next arc. In any other form its numbers have no known meaning.
 void take_arc_slope(States& s) {
   s.arc_slope_mm.reset();
-  if (!s.in.has_numbers_alone(1)) return take_harmless(s);
+  if (!s.in.has_numbers_alone(1)) {
+    take_harmless(s);
+    const auto is_rise = [](const Argument& a) { return a.number && std::abs(*a.number) > 0; };
+    if (std::ranges::any_of(s.in.arguments, is_rise)) s.arc_slope_mm = kUnknownSlope;
+    return;
+  }
   s.arc_slope_mm = *s.in.arguments.front().number * s.frame.mm_per_unit();
 }
 

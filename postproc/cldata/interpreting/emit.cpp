@@ -145,7 +145,7 @@ void emit(States& s, const Position& position) {
   if (move.not_checked_reason.empty() && is_kind_doubtful) move.not_checked_reason = s.skip_reason;
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
   if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
-  s.arc_slope_mm.reset();
+  if (is_arc) s.arc_slope_mm.reset();
   const bool has_part_of_turn = move.not_checked_reason == ArcProblems::kTimes;
   append(s, move, position);
   if (is_from && was_rapid_pending) s.feed.keep_rapid_over_from();

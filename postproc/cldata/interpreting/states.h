@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -115,6 +116,8 @@ struct MovnrbState {
   Vec3 end = Vec3::Zero();  ///< end of the curve, in part coordinates
 };
 
+inline constexpr double kUnknownSlope = std::numeric_limits<double>::infinity();
+
 /// The states at OPSKIP/ON. They are those behind OPSKIP/OFF if the control leaves out the statements between.
 struct BeforeSkip {
   const char* reason;         ///< names the OPSKIP
@@ -175,7 +178,7 @@ struct States {
   std::map<int, IndexedMoves> indexed;  ///< by the number in INDEX
   std::size_t frame_changes = 0;
   bool is_frame_stated = false;            ///< by a word that set_frame serves
-  std::optional<double> arc_slope_mm;      ///< rise of the next arc, by ARCSLP
+  std::optional<double> arc_slope_mm;      ///< rise of the next arc, by ARCSLP; kUnknownSlope: no arc has it
   std::optional<BeforeSkip> before_skip;   ///< states before the last OPSKIP/ON
   std::optional<Pose> skip_start;          ///< position before the skip that ended last, if both readings are known
   const char* skip_reason = nullptr;       ///< reason of the skip that ended last

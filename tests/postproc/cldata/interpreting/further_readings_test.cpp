@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/path/run_kind.h"
+#include "postproc/cldata/parsing/arc_statement.h"
 #include "tests/postproc/cldata/path_of.h"
 
 namespace gouge::further_readings_test {
@@ -105,6 +106,20 @@ TEST(Arc, OfNoSenseIsCoveredByItsCircle) {
   ASSERT_EQ(path.moves.size(), 2U);
   EXPECT_TRUE(path.moves[1].is_covered());
   EXPECT_NEAR(path.arcs[path.moves[1].curve].sweep_rad, 3 * std::numbers::pi, 1e-12);
+}
+
+TEST(Arc, RisesByTheArcslpBeforeIt) {
+  const auto is_slope_wrong = [](const std::string& before) {
+    const Toolpath path = path_of(apt("GOTO/0,0,9\n" + before + "CIRCLE/5,0,9,0,0,1,5\nGOTO/10,0,9\nFINI\n"));
+    return path.moves.back().not_checked_reason == ArcProblems::kSlope;
+  };
+  EXPECT_TRUE(is_slope_wrong("ARCSLP/5\n"));
+  EXPECT_TRUE(is_slope_wrong("ARCSLP/5\nGOTO/0,9,9\nGOTO/0,0,9\n"));  // the next arc, not the next motion
+  EXPECT_TRUE(is_slope_wrong("ARCSLP/5,1\n"));
+  EXPECT_TRUE(is_slope_wrong("OPSKIP/ON\nARCSLP/5\nOPSKIP/OFF\n"));
+  EXPECT_FALSE(is_slope_wrong("ARCSLP/0\n"));
+  EXPECT_FALSE(is_slope_wrong("ARCSLP/5\nARCSLP/OFF\n"));
+  EXPECT_FALSE(is_slope_wrong("ARCSLP/ON\n"));
 }
 
 TEST(Arc, OfPartOfATurnAndTimesIsCheckedBothWays) {
