@@ -40,6 +40,7 @@ void lose_start(States& s, const BeforeSkip& before) {
   if (here) s.chain.stand(Pose(*here), before.reason);
   s.retracted.reset();
   s.open_places.clear();
+  s.homed_axes = {};
   s.cycle.leave_hole();
 }
 

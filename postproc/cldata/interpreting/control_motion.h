@@ -14,8 +14,8 @@ class ControlMotion {
     reason_ = is_same ? nullptr : reason;
     text_ = code;
   }
-  /// Notes a motion of the file; `other` is one whose code is not known, as an arc that may be cut into lines. Returns why it may run with another code, or
-  /// null.
+  /// Notes a motion of the file. `other`: its code is not known, as of an arc that may be cut into lines. Returns why it may
+  /// run with another code, or null.
   const char* note(MotionCode code) {
     const bool is_known = code != MotionCode::other;
     const bool is_text = is_known && code == text_;
