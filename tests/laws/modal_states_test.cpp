@@ -149,11 +149,11 @@ INSTANTIATE_TEST_SUITE_P(
             "6 8"},
         ModalCase{"LastOfTheFile", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\n"), "6"},
         ModalCase{"BeforeFini", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nFINI\n"), "6"},
-        ModalCase{"BeforeFrom", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nFROM / 0, 10, 0\nFINI\n"), "6"},
+        ModalCase{"BeforeFrom", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nFROM / 0, 10, 0\nFINI\n"), "6 7"},
         ModalCase{"BeforeHome", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nGOHOME\nFINI\n"), "6"},
         ModalCase{"BeforeAFeature",
                   creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\n$$-> FEATNO / 2\nGOTO / 0, 10, 0\nFINI\n"),
-                  "6"},
+                  "6 8"},
         ModalCase{"BeforeACycle",
                   creo("GOTO / 10, 0, 9\nCIRCLE / 0, 0, 9, 0, 0, 1, 10\nCYCLE / DRILL, DEPTH, 7, CLEAR, 3\n"
                        "GOTO / 10, 0, 0\nCYCLE / OFF\nFINI\n"),

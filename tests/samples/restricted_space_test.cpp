@@ -78,10 +78,10 @@ class RestrictedSpace : public testing::Test {
   /// Tilted one way alone or both, by 27.1 degrees at most.
   Tilted tilted(const std::string& way) {
     const Outcome ran = run_gougecheck(
-        folder_, {"correct",       "path.apt", "--part",      "space.stl",  "--stl-units",   "m",      "--tools",
-                  "tools.json",    "--head",   "spindle.stl", "--strategy", "tilt",          "--tilt", way,
-                  "--max-tilt",    "27.1",     "--blend",     "40",         "--allow-stock", "100",    "-o",
-                  "corrected.apt", "--json",   "result.json", "--force"});
+        folder_, {"correct",       "path.apt", "--part",      "space.stl",  "--stl-units",   "m",       "--tools",
+                  "tools.json",    "--head",   "spindle.stl", "--strategy", "tilt",          "--tilt",  way,
+                  "--max-tilt",    "27.1",     "--blend",     "40",         "--allow-stock", "100",     "-o",
+                  "corrected.apt", "--json",   "result.json", "--force",    "--assume",      "complete"});
     return {ran.exit_status, Json::parse(text_of(folder_ + "/result.json"))};
   }
 
