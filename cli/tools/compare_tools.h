@@ -33,6 +33,7 @@ struct ToolSetUp {
 /// The differences between a tool of the library and that of the path.
 struct ToolDifference {
   std::string contradiction;  ///< one sentence, or several joined by semicolons; empty: none that could hide anything
+  std::string doubt;          ///< a length that may be that of the flutes, or contradict the library; empty: none
   Diagnostics warnings;       ///< about the other differences; code tool-differs
 };
 

@@ -88,6 +88,7 @@ class Resolver {
       shared_.clear();
       is_of_path_ = false;
       uncertainty_.clear();
+      doubt_.clear();
       basis_ = Basis::stated;
       if (const auto error = resolve(tool, facts)) return *error;
       if (const auto& assembly = result_.assemblies.back()) shared_ = numbers_.take(i, *assembly, in_library(tool));
@@ -142,6 +143,9 @@ class Resolver {
     } else if (!uncertainty_.empty()) {
       of_tool.code = basis_ == Basis::by_default ? "cutter-length" : "tool-doubtful";
       of_tool.evidence = uncertainty_;
+    } else if (!doubt_.empty()) {
+      of_tool.basis = Basis::by_default;
+      of_tool.evidence = doubt_;
     }
     if (is_defined && of_tool.basis < Basis::contradicted) note_register(tool, of_tool);
     result_.assumptions.push_back(std::move(of_tool));
@@ -224,6 +228,7 @@ class Resolver {
       if (!has_own_holder) assembly->holder = holder_.segments;
       ToolDifference difference = compare_tools(tool, *known, path_, {*library_, holder_.segments, use_, length_});
       if (!difference.contradiction.empty()) contradict(difference.contradiction);
+      doubt_ = difference.doubt;
       std::ranges::move(difference.warnings, std::back_inserter(result_.notes));
       mark_library_uncertain(tool, *known);
       if (!has_own_holder) mark_holder_uncertain(tool, *known);
@@ -344,6 +349,7 @@ class Resolver {
   std::string shared_;                   // another definition of its number
   bool is_of_path_ = false;              // they are within the toolpath, not between it and the library
   std::string uncertainty_;              // unknown facts about it
+  std::string doubt_;                    // a default that its lengths rest on
   SharedNumbers numbers_;
   ResolvedTools result_;
 };
