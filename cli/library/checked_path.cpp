@@ -264,8 +264,7 @@ gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckO
 CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options) {
   Path named = with_every_tool_named(path);
   const gouge::Toolpath& toolpath = named.content().path;
-  std::vector<bool> is_used(toolpath.tools.size(), false);
-  for (const gouge::Move& move : toolpath.moves) is_used[move.tool] = true;
+  const std::vector<bool> is_used = gouge::used_tools(toolpath);
   const auto used = std::count(is_used.begin(), is_used.end(), true);
   if (used > 1) {
     raise(gouge::make_error("tool-ambiguous",

@@ -79,7 +79,7 @@ class Resolver {
   }
 
   Result<ResolvedTools> run() {
-    const std::vector<bool> is_used = used_tools();
+    const std::vector<bool> is_used = used_tools(path_);
     for (std::size_t i = 0; i < path_.tools.size(); ++i) {
       const PathTool& tool = path_.tools[i];
       ToolFacts facts;
@@ -100,14 +100,6 @@ class Resolver {
   }
 
  private:
-  [[nodiscard]] std::vector<bool> used_tools() const {
-    std::vector<bool> is_used(path_.tools.size(), false);
-    for (const Move& move : path_.moves) {
-      if (move.tool != kNone) is_used[move.tool] = true;
-    }
-    return is_used;
-  }
-
   void assume(const PathTool& tool, const ToolFacts& facts, bool is_defined) {
     const std::string object = facts.name.empty() ? "unnamed" : facts.name;
     Assumption of_tool{.subject = Subject::tool, .object = object, .basis = basis_, .value = facts.description};

@@ -27,6 +27,13 @@ std::optional<double> gauge_length_of_move(const Toolpath& path, std::size_t mov
   return path.tools.size() < 2 ? stated_mm : std::nullopt;
 }
 
+std::vector<bool> used_tools(const Toolpath& path) {
+  std::vector<bool> is_used(path.tools.size(), false);
+  for (const Move& move : path.moves)
+    if (move.tool != kNone) is_used[move.tool] = true;
+  return is_used;
+}
+
 bool needs_wide_tool(const Toolpath& path, std::size_t tool) {
   return std::any_of(path.moves.begin(), path.moves.end(),
                      [&](const Move& move) { return move.tool == tool && move.needs_wide_tool(); });

@@ -186,6 +186,9 @@ struct Toolpath {
 [[nodiscard]] std::optional<double> gauge_length_of_move(const Toolpath& path, std::size_t move,
                                                          const std::optional<double>& stated_mm);
 
+/// Returns for each of Toolpath::tools whether a move uses it. Cost: O(moves).
+[[nodiscard]] std::vector<bool> used_tools(const Toolpath& path);
+
 /// Returns whether a motion of that tool needs ToolVariants::wide.
 [[nodiscard]] bool needs_wide_tool(const Toolpath& path, std::size_t tool);
 
