@@ -66,10 +66,11 @@ class WayChecker {
     const double rise_mm = obstructions_.top_along(low.axis).height_mm - low.axis.dot(low.tip) - lowest_mm_ + kAbove_mm;
     if (!(rise_mm > kAbove_mm)) return {};
     const Motion motion = options_.law.straight(low, {low.tip + rise_mm * low.axis, low.axis});
-    const ToolVariants& tool = *setup_.tools[move.tool];
+    const ToolVariants& stated = *setup_.tools[move.tool];
+    const ToolVariants& tool = move.needs_wide_tool() ? *stated.wide : stated;
     MoveVerdict found = checker_.check(motion, run_kind(move), tool, options_, true);
     if (found.reason.is(Reason::Kind::body_too_thin)) found = examine_thin(motion, run_kind(move), tool);
-    if (is_clean(found) || found.state == MoveState::not_checked) return {};
+    if (is_clean(found)) return {};
     return {false, found.state == MoveState::gouge ? found.depth_mm : 0};
   }
 

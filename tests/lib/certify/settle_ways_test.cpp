@@ -80,6 +80,18 @@ TEST(Ways, FromPositionsThatAreNotCleanAreLeftOut) {
   EXPECT_EQ(complete_of(path, cutter_of_slot(), slot()).basis, Basis::by_default);
 }
 
+TEST(Ways, UnderCutterCompensationAreThoseOfTheWiderTool) {
+  const ToolVariants tool = make_tool_variants({1, "short", FlatCutter{8, 15}, {}, {}}, 0, 0, 0, true).value();
+  const Scene overhang{{shapes::box({6, -50, 60}, {40, 50, 70})}, {}};
+  Toolpath path = of_file({paths::upright(0, -20, 0), paths::upright(0, 20, 0)});
+  EXPECT_EQ(complete_of(path, tool, overhang).basis, Basis::by_default);
+  for (Move& move : path.moves) {
+    move.not_checked_reason = "compensated";
+    move.cover = Cover::wide;
+  }
+  EXPECT_EQ(complete_of(path, tool, overhang).basis, Basis::unknown);
+}
+
 TEST(Ways, OfEveryShapeLeaveAWallThatTheyTouch) {
   for (const ToolVariants& tool : tools::all()) {
     const double radius = tool.bare.r_max_mm;
