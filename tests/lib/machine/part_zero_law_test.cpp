@@ -1,23 +1,17 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "lib/machine/joint_law.h"
 #include "lib/machine/kinematics.h"
 #include "lib/machine/law_facts.h"
 #include "tests/lib/machine/machines.h"
-#include "tests/support/machine_reference.h"
+#include "tests/lib/machine/random_moves.h"
 
 // The place of the part in motions of the joints, on chains with joints in any order, against matrices of the test's own.
 
 namespace gouge::part_zero_law_test {
 namespace {
 
-using Ends = test::MachineReference::Ends;
-
 constexpr double kLength_mm = 120;
-constexpr double kMaxJoint_mm = 3000;  // beyond it two linear joints are nearly parallel
 
 /// Returns the machine with a part elsewhere: the head and the gauge point lie at another place above the table.
 Machine shifted(Machine machine, const Vec3& by) {
@@ -27,35 +21,11 @@ Machine shifted(Machine machine, const Vec3& by) {
   return machine;
 }
 
-Ends random_ends(const Machine& machine, test::Scatter& scatter) {
-  Ends ends;
-  for (RotaryAngles* const angles : {&ends.angles0, &ends.angles1})
-    for (double& angle : *angles) angle = scatter.in(-3, 3);
-  for (Pose* const pose : {&ends.from, &ends.to})
-    for (int k = 0; k < 3; ++k) pose->tip[k] = scatter.in(-100, 100);
-  ends.from.axis = tool_axes(machine, ends.angles0).col(2);
-  ends.to.axis = tool_axes(machine, ends.angles1).col(2);
-  return ends;
-}
-
-bool is_within_travel(const Ends& ends) {
-  const auto is_near = [](double value) { return std::abs(value) < kMaxJoint_mm; };
-  return std::ranges::all_of(ends.joints0, is_near) && std::ranges::all_of(ends.joints1, is_near);
-}
-
 /// Returns how far the tips come apart in random moves with two places of the part.
 double largest_difference(const Machine& machine, TurnLaw law, test::Scatter& scatter) {
   const double x = scatter.in(100, 300), y = scatter.in(-300, -100), z = scatter.in(100, 300);
-  const test::MachineReference here(machine, kLength_mm), there(shifted(machine, {x, y, z}), kLength_mm);
-  double largest = 0;
-  for (int n = 0; n < 20; ++n) {
-    const Ends ends = random_ends(machine, scatter);
-    const Ends of_here = here.with_joints(ends), of_there = there.with_joints(ends);
-    if (!is_within_travel(of_here) || !is_within_travel(of_there)) continue;
-    for (double t = 0; t <= 1; t += 1.0 / 16)
-      largest = std::max(largest, (here.at(law, of_here, t).tip - there.at(law, of_there, t).tip).norm());
-  }
-  return largest;
+  return test::largest_difference(machine, test::MachineReference(machine, kLength_mm),
+                                  test::MachineReference(shifted(machine, {x, y, z}), kLength_mm), law, scatter);
 }
 
 TEST(PlaceOfThePart, MattersExactlyWhereTheTipDependsOnIt) {

@@ -9,7 +9,7 @@
 #include "lib/machine/law_facts.h"
 #include "lib/motion/motion_law.h"
 #include "tests/lib/machine/machines.h"
-#include "tests/support/machine_reference.h"
+#include "tests/lib/machine/random_moves.h"
 
 // The tool length in motions of the joints, on chains with joints in any order, against matrices of the test's own.
 
@@ -19,40 +19,11 @@ namespace {
 using Ends = test::MachineReference::Ends;
 
 constexpr double kShort_mm = 40, kLong_mm = 140;
-constexpr double kMaxJoint_mm = 3000;  // beyond it two linear joints are nearly parallel
-
-/// Returns two random poses with their angles.
-Ends random_ends(const Machine& machine, test::Scatter& scatter) {
-  const auto number = [&](double size) { return scatter.in(-size, size); };
-  Ends ends;
-  for (RotaryAngles* const angles : {&ends.angles0, &ends.angles1})
-    for (double& angle : *angles) angle = number(3);
-  for (Pose* const pose : {&ends.from, &ends.to})
-    for (int k = 0; k < 3; ++k) pose->tip[k] = number(100);
-  ends.from.axis = tool_axes(machine, ends.angles0).col(2);
-  ends.to.axis = tool_axes(machine, ends.angles1).col(2);
-  return ends;
-}
-
-bool is_within_travel(const Ends& ends) {
-  const auto is_near = [](double value) { return std::abs(value) < kMaxJoint_mm; };
-  return std::ranges::all_of(ends.joints0, is_near) && std::ranges::all_of(ends.joints1, is_near);
-}
 
 /// Returns how far the tips of a short and of a long tool come apart in random moves.
 double largest_difference(const Machine& machine, TurnLaw law, test::Scatter& scatter) {
-  const test::MachineReference with_short(machine, kShort_mm), with_long(machine, kLong_mm);
-  double largest = 0;
-  for (int n = 0; n < 20; ++n) {
-    const Ends ends = random_ends(machine, scatter);
-    const Ends of_short = with_short.with_joints(ends), of_long = with_long.with_joints(ends);
-    if (!is_within_travel(of_short) || !is_within_travel(of_long)) continue;
-    for (double t = 0; t <= 1; t += 1.0 / 16) {
-      const Vec3 a = with_short.at(law, of_short, t).tip, b = with_long.at(law, of_long, t).tip;
-      largest = std::max(largest, (a - b).norm());
-    }
-  }
-  return largest;
+  return test::largest_difference(machine, test::MachineReference(machine, kShort_mm),
+                                  test::MachineReference(machine, kLong_mm), law, scatter);
 }
 
 TEST(ToolLength, MattersExactlyWhereTheTipDependsOnIt) {
@@ -83,8 +54,8 @@ TEST(ToolLength, EveryChainMovesTheToolAsTheMatricesDo) {
   for (int n = 0; n < 400; ++n) {
     const Machine machine = place_part(test::random_chain(scatter, n % 4 == 3), {});
     const test::MachineReference reference(machine, kLong_mm);
-    const Ends ends = reference.with_joints(random_ends(machine, scatter));
-    if (!is_within_travel(ends)) continue;
+    const Ends ends = reference.with_joints(test::random_ends(machine, scatter));
+    if (!test::is_within_travel(ends)) continue;
     Toolpath path;
     path.joints = std::make_shared<const JointPath>(JointPath{{ends.angles0}, {ends.angles1}});
     path.moves.resize(1);
