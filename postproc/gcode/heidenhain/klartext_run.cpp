@@ -129,9 +129,7 @@ void KlartextRun::read_behind_end() {
     const KlartextBlock block = read_klartext_block(text_, next_);
     std::string_view rest = block.text;
     has_label = has_label || take_keywords(rest, "LBL");
-    if (!has_label && is_line_to_place(block.text))
-      runner_.note_other_program(
-          {"blocks stand behind the end of the program, and no jump or call leads to them", text_.number(next_)});
+    if (!has_label && is_line_to_place(block.text)) runner_.note_other_program({kBlocksBehindEnd, text_.number(next_)});
     if (!take_keywords(rest, "BEGIN PGM")) continue;
     motion_.begin_block(next_, text_.number(next_));
     return runner_.run(block, text_.number(next_), false);

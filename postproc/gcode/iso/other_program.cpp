@@ -24,6 +24,14 @@ struct Section {
   std::size_t motion_line = 0;  ///< first block that moves, or calls a program; 0: none
   std::string end;              ///< last code that ends the program, or returns from it; empty: none
   bool is_subprogram = false;   ///< that code is M99
+
+  /// Notes a block that runs. What stands before it is not behind the end.
+  void note_run(std::size_t line) {
+    last_run = line;
+    motion_line = 0;
+    end.clear();
+    is_subprogram = false;
+  }
 };
 
 /// Returns the name of a program at the start of a line, "O1000" or ":1000"; empty: there is none.
@@ -52,9 +60,8 @@ class OtherPrograms {
     if (line.starts_with('%')) return begin_section({}, i);
     if (std::string name = index_.control().syntax.has_o_words ? std::string() : name_of_program(line); !name.empty())
       begin_section(std::move(name), i);
-    if (!has_run_[i]) return take_block(line, i);
-    const std::string name = section_.name;
-    section_ = Section{name, section_.name_line, section_.is_behind_mark, text_.number(i), 0, {}, false};
+    if (has_run_[i]) return section_.note_run(text_.number(i));
+    take_block(line, i);
   }
 
   void begin_section(std::string name, std::size_t i) {

@@ -36,6 +36,10 @@ struct OtherProgram {
   std::size_t line = 0;
 };
 
+/// Evidence of motions to which nothing leads.
+inline constexpr const char* kBlocksBehindEnd =
+    "blocks stand behind the end of the program, and no jump or call leads to them";
+
 /// Facts that the reader of a language finds, besides the moves.
 struct ProgramFacts {
   std::size_t unit_line = 0;          ///< block that states the unit; 0: none

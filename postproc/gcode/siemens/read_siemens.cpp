@@ -89,9 +89,7 @@ std::optional<OtherProgram> find_blocks_behind(const ProgramText& text, const st
     if (line.starts_with('%')) is_subprogram = line.ends_with("_SPF");
     if (line.starts_with('%') || is_subprogram) continue;
     read_siemens_block(text.line(i), variables, block);
-    if (block.error.empty() && moves(block))
-      return OtherProgram{"blocks stand behind the end of the program, and no jump or call leads to them",
-                          text.number(i)};
+    if (block.error.empty() && moves(block)) return OtherProgram{kBlocksBehindEnd, text.number(i)};
   }
   return std::nullopt;
 }
