@@ -108,6 +108,12 @@ void emit_uncertain(States& s, const Position& position) {
   s.chain.lose_start(Reasons::kAfterCycle);
 }
 
+// Notes the motion code of a position. Returns why it may run with the code of a text for the control, or null.
+const char* note_motion_code(States& s, bool is_known, bool is_rapid) {
+  if (!is_known) return s.control_motion.note(MotionCode::other);
+  return s.control_motion.note(is_rapid ? MotionCode::rapid : MotionCode::straight);
+}
+
 }  // namespace
 
 void emit(States& s, const Position& position) {
@@ -137,10 +143,7 @@ void emit(States& s, const Position& position) {
                                    : MoveKind::feed);
   if (may_be_rapid) move.set_feed({0, FeedUnit::rapid});  // so it must be clear of stock, and removes none
   const bool is_code_known = !may_be_rapid && !is_arc && !is_kind_doubtful;
-  const char* const other_code = is_from || is_cycle ? nullptr
-                                                     : s.control_motion.note(!is_code_known ? MotionCode::other
-                                                                             : is_rapid     ? MotionCode::rapid
-                                                                                            : MotionCode::straight);
+  const char* const other_code = is_from || is_cycle ? nullptr : note_motion_code(s, is_code_known, is_rapid);
   if (move.not_checked_reason.empty() && other_code != nullptr) move.not_checked_reason = other_code;
   if (move.not_checked_reason.empty() && is_kind_doubtful) move.not_checked_reason = s.skip_reason;
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
