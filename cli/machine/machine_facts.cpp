@@ -92,23 +92,25 @@ bool is_upright(const Toolpath& path, std::size_t move) {
   return path.moves[move].end.axis == Vec3(Vec3::UnitZ()) && path.start_of(move).axis == Vec3(Vec3::UnitZ());
 }
 
-/// Returns the rapids in which several of X, Y and Z move, or the tool turns.
-std::vector<std::size_t> rapids_of_several_axes(const Toolpath& path) {
-  std::vector<std::size_t> rapids;
-  for (std::size_t i = 1; i < path.moves.size(); ++i) {
-    const Move& move = path.moves[i];
-    if (!move.has_start || move.kind != MoveKind::rapid) continue;
-    const Pose& start = path.start_of(i);
-    const auto axes = ((move.end.tip - start.tip).array().abs() > Tolerance::kRounding_mm).count();
-    if (axes > 1 || move.end.axis != start.axis) rapids.push_back(i);
-  }
-  return rapids;
-}
-
-std::optional<Assumption> dogleg_fact(const Toolpath& path, const Machine* machine) {
+/// Returns the moves that run in rapid from a known start.
+std::vector<std::size_t> rapids_of(const Toolpath& path) {
   std::vector<std::size_t> rapids;
   for (std::size_t i = 1; i < path.moves.size(); ++i)
     if (path.moves[i].has_start && runs_rapid(path.moves[i])) rapids.push_back(i);
+  return rapids;
+}
+
+/// Returns whether a move runs alike however its axes run: along one of X, Y and Z without a turn, or on a curve.
+bool is_along_one_axis(const Toolpath& path, std::size_t index) {
+  const Move& move = path.moves[index];
+  if (move.kind != MoveKind::rapid) return true;
+  const Pose& start = path.start_of(index);
+  const auto axes = ((move.end.tip - start.tip).array().abs() > Tolerance::kRounding_mm).count();
+  return axes <= 1 && move.end.axis == start.axis;
+}
+
+std::optional<Assumption> dogleg_fact(const Toolpath& path, const Machine* machine) {
+  const std::vector<std::size_t> rapids = rapids_of(path);
   if (rapids.empty()) return std::nullopt;
   Assumption fact{.subject = Subject::motion_law, .object = "rapids", .code = "rapid-axes"};
   fact.value = "dog-legs along X, Y and Z of the part";
@@ -128,7 +130,7 @@ std::optional<Assumption> dogleg_fact(const Toolpath& path, const Machine* machi
                     machine->name + " are not known to be along X, Y and Z of the part";
   } else if (machine != nullptr) {
     fact.basis = Basis::derived;
-    fact.evidence = "so the linear axes of machine " + machine->name + " run in all rapids";
+    fact.evidence = "the linear axes of machine " + machine->name + " run along X, Y and Z of the part in all rapids";
   } else if (std::ranges::all_of(rapids, [&](std::size_t i) { return is_upright(path, i); })) {
     fact.basis = Basis::derived;
     fact.evidence = "the tool axis is Z in all rapids";
@@ -149,9 +151,10 @@ Assumptions machine_facts(const Machine* machine, const MachineStatement& stated
 
 std::optional<Assumption> rapid_fact(const Toolpath& path, const MotionLaw& law, const Machine* machine) {
   if (law.rapid() == RapidMode::dogleg) return dogleg_fact(path, machine);
-  const bool is_stated = machine != nullptr || path.dialect == kProgramDialect || law.rapid() == RapidMode::skip;
-  const std::vector<std::size_t> rapids = rapids_of_several_axes(path);
-  if (is_stated || rapids.empty()) return std::nullopt;
+  if (machine != nullptr || path.dialect == kProgramDialect || law.rapid() == RapidMode::skip) return std::nullopt;
+  std::vector<std::size_t> rapids = rapids_of(path);
+  std::erase_if(rapids, [&](std::size_t i) { return is_along_one_axis(path, i); });
+  if (rapids.empty()) return std::nullopt;
   Assumption fact{.subject = Subject::motion_law, .object = "rapids", .value = "straight", .code = "rapid-axes"};
   fact.file = path.file;
   fact.line = path.moves[rapids.front()].line;
