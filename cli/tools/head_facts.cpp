@@ -30,7 +30,8 @@ Assumption turn_fact(const Toolpath& path, const std::string& machine) {
     fact.basis = Basis::contradicted;
     fact.value = "by the shortest rotation from Z to the tool axis";
     fact.evidence =
-        "the toolpath states a frame whose X, Y and Z are turned from those of the part, and the head turns from the part's";
+        "the toolpath states a frame whose X, Y and Z are turned from those of the part, and a head turns from the axes "
+        "of the part";
     fact.remedy = "give --machine and --zero, or state with --assume head=turn that the head turns so";
   } else if (is_always_upright(path)) {
     fact.basis = Basis::derived;
@@ -60,9 +61,7 @@ HeadLength length_of(const Toolpath& path, std::size_t tool, const std::optional
 
 std::vector<HeadLength> lengths_of_used(const Toolpath& path,
                                         const std::vector<std::optional<ToolAssembly>>& assemblies) {
-  std::vector<bool> is_used(path.tools.size(), false);
-  for (const Move& move : path.moves)
-    if (move.tool != kNone) is_used[move.tool] = true;
+  const std::vector<bool> is_used = used_tools(path);
   std::vector<HeadLength> lengths;
   for (std::size_t i = 0; i < path.tools.size(); ++i)
     if (is_used[i] && assemblies[i]) lengths.push_back(length_of(path, i, assemblies[i]));
@@ -78,7 +77,7 @@ Assumption place_fact(const Toolpath& path, const std::vector<HeadLength>& lengt
   constexpr double kEqual_mm = 5e-3;
   Assumption fact{.subject = Subject::head, .object = "place", .code = "head-place"};
   fact.file = path.file;
-  fact.value = "as far from the tip of each tool";
+  fact.value = "equally far from the tip of each tool";
   fact.remedy =
       "check the tools one by one, each with its head, or state with --assume head=place that the head is right "
       "for all";
@@ -91,13 +90,13 @@ Assumption place_fact(const Toolpath& path, const std::vector<HeadLength>& lengt
     fact.remedy.clear();
   } else if (unknown != lengths.end()) {
     fact.basis = Basis::unknown;
-    fact.evidence = "a head is as far from the tip of each tool, and the length of " +
+    fact.evidence = "a head is equally far from the tip of each tool, and the length of " +
                     name_of(path.tools[unknown->tool]) + " to the gauge line is not known";
     fact.remedy = "state gauge_length in the library; or " + fact.remedy;
   } else if (other != lengths.end()) {
     fact.basis = Basis::contradicted;
-    fact.evidence = "a head is as far from the tip of each tool, but " + length_text(path, lengths.front()) + " and " +
-                    length_text(path, *other);
+    fact.evidence = "a head is equally far from the tip of each tool, but " + length_text(path, lengths.front()) +
+                    " and " + length_text(path, *other);
   } else {
     fact.basis = std::ranges::all_of(lengths, &HeadLength::is_gauge_length) ? Basis::derived : Basis::by_default;
     fact.evidence = "all tools are " + display_text(lengths.front().mm / mm_per(path.unit), 4) + " " +

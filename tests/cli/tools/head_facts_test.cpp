@@ -38,7 +38,8 @@ TEST(HeadFacts, TheDistanceFromTheTipIsRightForToolsOfOneLength) {
   EXPECT_EQ(place_of({tool_with(0, 60), tool_with(0, 20)}).basis, Basis::contradicted);
   const Assumption differs = place_of({tool_with(100), tool_with(50)});
   EXPECT_EQ(differs.basis, Basis::contradicted);
-  EXPECT_EQ(differs.evidence, "a head is as far from the tip of each tool, but T1 is 100 mm long and T2 is 50 mm long");
+  EXPECT_EQ(differs.evidence,
+            "a head is equally far from the tip of each tool, but T1 is 100 mm long and T2 is 50 mm long");
 }
 
 TEST(HeadFacts, ToolsThatDoNotMoveHaveNoPlace) {
