@@ -91,7 +91,7 @@ class Measurer {
 
   [[nodiscard]] bool cuts(const Toolpath& path, std::size_t i) const {
     const Move& move = path.moves[i];
-    return !runs_rapid(move) && move.has_start && move.tool != kNone && setup_.tools[move.tool] != nullptr &&
+    return removes_stock(move) && move.tool != kNone && setup_.tools[move.tool] != nullptr &&
            !setup_.tools[move.tool]->cutting.elements.empty();
   }
 

@@ -144,7 +144,7 @@ bool PathCorrector::is_end_in_stock(std::size_t i) const {
 bool PathCorrector::is_plunge(std::size_t i) const {
   while (is_whole(i) && is_end_in_stock(i)) {
     if (++i == path_.moves.size() || !path_.moves[i].has_start) return false;
-    if (!runs_rapid(path_.moves[i])) return true;
+    if (removes_stock(path_.moves[i])) return true;
   }
   return false;
 }

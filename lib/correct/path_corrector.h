@@ -47,7 +47,7 @@ class PathCorrector {
 
   [[nodiscard]] std::size_t origin_of(std::size_t i) const { return origin_ != nullptr ? (*origin_)[i] : i; }
   /// Returns whether the whole tool must be clear of stock.
-  [[nodiscard]] bool is_whole(std::size_t i) const { return runs_rapid(path_.moves[i]) || !path_.moves[i].has_start; }
+  [[nodiscard]] bool is_whole(std::size_t i) const { return !removes_stock(path_.moves[i]); }
   [[nodiscard]] MotionChecker checker_of(std::size_t i) const;
   [[nodiscard]] bool is_end_in_stock(std::size_t i) const;
   [[nodiscard]] bool is_plunge(std::size_t i) const;

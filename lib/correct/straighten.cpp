@@ -58,7 +58,7 @@ class CurveChoice {
   }
   [[nodiscard]] bool may_move(std::size_t i) const {
     const Move& move = path_.moves[i];
-    return checker_.for_move(i, runs_rapid(move))
+    return checker_.for_move(i, !removes_stock(move))
                .check(options_.law.at(move.end), run_kind(move), *tools_[move.tool], options_, true)
                .state != MoveState::clean;
   }
@@ -96,7 +96,7 @@ std::optional<ReworkedPath> straighten(const Toolpath& path, const CheckResult& 
       chord.end = to;
       const Motion motion = options.law.straight(from, to);
       from = to;
-      const MotionChecker in_place = checker.meets_stock(i) ? checker.for_move(i, runs_rapid(chord)) : checker;
+      const MotionChecker in_place = checker.meets_stock(i) ? checker.for_move(i, !removes_stock(chord)) : checker;
       straight.add(chord, i, false, in_place.check(motion, run_kind(chord), *tools[chord.tool], options, true));
     }
   }

@@ -113,7 +113,8 @@ struct Move {
   /// True for a motion without tool centre point control, which programs of a machine can state: all joints run, and tip
   /// and axis follow them. False: the tip runs as the path states.
   bool runs_joints = false;
-  Cover cover = Cover::none;  ///< for a motion with a not_checked_reason
+  bool is_spindle_stopped = false;  ///< the file stops the spindle before this motion: the cutter removes no stock
+  Cover cover = Cover::none;        ///< for a motion with a not_checked_reason
 
   [[nodiscard]] bool is_covered() const { return cover != Cover::none && !not_checked_reason.empty(); }
   [[nodiscard]] bool needs_wide_tool() const { return cover == Cover::wide && !not_checked_reason.empty(); }

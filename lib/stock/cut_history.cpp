@@ -160,9 +160,7 @@ void CutHistory::add_unknown(std::size_t i) {
                       Vec3(from.cwiseMax(move.end.tip) + Vec3::Constant(reach))});
 }
 
-bool CutHistory::is_cutting(std::size_t move) const {
-  return path_.moves[move].has_start && !runs_rapid(path_.moves[move]) && tool_of(move).cuts;
-}
+bool CutHistory::is_cutting(std::size_t move) const { return removes_stock(path_.moves[move]) && tool_of(move).cuts; }
 
 bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {
   const Move& of = path_.moves[move];

@@ -75,7 +75,7 @@ bool ProgramCuts::is_known(std::size_t move) const {
 
 bool ProgramCuts::cuts(std::size_t move) const {
   const Move& m = path().moves[move];
-  return is_known(move) && m.has_start && !runs_rapid(m) && program_.cuts[m.tool];
+  return is_known(move) && removes_stock(m) && program_.cuts[m.tool];
 }
 
 const ToolContour& ProgramCuts::body_of(std::size_t move) const {

@@ -93,6 +93,7 @@ class PathWriter {
   void write_move(std::size_t index);
   void write_motion(std::size_t index);
   void write_cutcom(std::size_t index);
+  void write_spindle(const Move& move);
   void write_rapid();
   void write_feed(const Move& move);
   void forget_feed();
@@ -113,6 +114,7 @@ class PathWriter {
   bool is_feed_due_ = false;  // the feed must be stated again before the next feed motion
   std::optional<Diagnostic> feed_error_;
   CutcomSide cutcom_ = CutcomSide::none;
+  bool is_spindle_stopped_ = false;
   bool is_checked_ = true;  // whether the move being written is checked
   std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, lost_cutcoms_ = 0, lost_feeds_ = 0, unstated_feeds_ = 0;
   std::size_t lost_arcs_ = 0, splines_ = 0, cycles_ = 0;
@@ -232,6 +234,12 @@ void PathWriter::write_cutcom(std::size_t index) {
   cutcom_ = side;
 }
 
+void PathWriter::write_spindle(const Move& move) {
+  if (move.is_spindle_stopped != is_spindle_stopped_ && !target_.has_positions_alone)
+    sink_->stop_spindle(move.is_spindle_stopped);
+  is_spindle_stopped_ = move.is_spindle_stopped;
+}
+
 // Writes a RAPID, which holds for only one motion.
 void PathWriter::write_rapid() {
   if (path_.moves[index_].feed_unit == FeedUnit::rapid && !sink_->make_rapid()) ++lost_rapids_;
@@ -317,6 +325,7 @@ void PathWriter::write_move(std::size_t index) {
   }
   if (has_retract) sink_->retract();
   write_cutcom(index);
+  write_spindle(move);
   move.feed_unit == FeedUnit::rapid ? write_rapid() : write_feed(move);
   if (move.kind == MoveKind::cycle) ++cycles_;
   write_motion(index);

@@ -28,6 +28,8 @@ class MotionSink {
   virtual void retract() = 0;
   /// Sets the feed of later motions, which must be a number. Returns false if the dialect cannot state that.
   [[nodiscard]] virtual bool set_feed(const Feed& feed) = 0;
+  /// Stops the spindle before later motions, or starts it. Not used for dialects that cannot state it.
+  virtual void stop_spindle(bool is_stopped) = 0;
   /// Makes the next motion rapid. Returns false if the dialect cannot state that.
   [[nodiscard]] virtual bool make_rapid() = 0;
   virtual void go_to(const Pose& end) = 0;

@@ -47,6 +47,7 @@ void lose_start(States& s, const BeforeSkip& before) {
 void join_readings(States& s, const BeforeSkip& before) {
   s.axes.join(before.axes);
   if (!s.feed.has_kind_of(before.feed)) s.feed.doubt_kind();
+  if (before.feed.is_spindle_stopped()) s.feed.stop_spindle(true);
   if (s.clear_plane_mm != before.clear_plane_mm) s.clear_plane_mm.reset();
   if (s.arc_slope_mm != before.arc_slope_mm) s.arc_slope_mm = kUnknownSlope;
   if (has_moved(s, before.chain)) {

@@ -59,6 +59,7 @@ void take_machine_text(States& s, const MachineEffect& effect) {
   if (effect.is_unknown) return take_unknown_statement(s);
   if (effect.smooths && s.smoothing_line == 0) s.smoothing_line = s.in.line();
   if (has_effect(effect)) contradict_skip(s);
+  if (effect.stops_spindle) s.feed.stop_spindle(*effect.stops_spindle);
   if (effect.motion_code) s.control_motion.take_text(*effect.motion_code, s.in.because(Reasons::kMachineMotion));
   const bool moves = effect.moves || effect.changes_tool;
   const bool shifts = effect.shifts || is_other_unit;

@@ -45,7 +45,11 @@ class FeedState {
     if (has_feed_per_turn_ && !has_feed_unit(in_.arguments)) feed_ = {0, FeedUnit::not_understood};
     has_feed_per_turn_ = has_feed_per_turn_ || feed_.unit == FeedUnit::per_revolution;
   }
-  void take_spindle() { spindle_rpm_ = read_spindle_speed(in_.arguments).value_or(spindle_rpm_); }
+  void take_spindle() {
+    spindle_rpm_ = read_spindle_speed(in_.arguments).value_or(spindle_rpm_);
+    is_spindle_stopped_ = stops_spindle(in_.arguments);
+  }
+  void stop_spindle(bool is_stopped) { is_spindle_stopped_ = is_stopped; }
   void begin_rapid() {
     end_rapid();
     is_rapid_ = true;
@@ -62,6 +66,7 @@ class FeedState {
 
   [[nodiscard]] const Feed& feed() const { return feed_; }
   [[nodiscard]] float spindle_rpm() const { return spindle_rpm_; }
+  [[nodiscard]] bool is_spindle_stopped() const { return is_spindle_stopped_; }
   [[nodiscard]] bool is_rapid() const { return is_rapid_; }
   /// Returns whether the file leaves open whether a RAPID holds for the next position.
   [[nodiscard]] bool may_be_rapid() const {
@@ -83,6 +88,7 @@ class FeedState {
   StatementContext& in_;
   Feed feed_;
   float spindle_rpm_ = 0;
+  bool is_spindle_stopped_ = false;
   bool has_feed_per_turn_ = false;  // a FEDRAT had this unit; then the unit of one without it is unknown
   bool is_rapid_ = false;
   bool is_rapid_before_from_ = false;

@@ -107,10 +107,11 @@ void take_unknown_statement(States& s) {
 
 void take_harmless(States& s) {
   const Statement& statement = s.in.statement();
-  if (statement.is_decoded || statement.pieces.empty()) return;
+  const bool is_spindle = equals_ignoring_case(statement.major, "SPINDL");
+  if (statement.is_decoded ? !is_spindle : statement.pieces.empty()) return;
   split_arguments(statement, s.in.arguments);
-  if (is_harmless(statement.major, s.in.arguments) && !is_end_of_another(s.in)) {
-    if (equals_ignoring_case(statement.major, "SPINDL")) s.feed.take_spindle();
+  if (statement.is_decoded || (is_harmless(statement.major, s.in.arguments) && !is_end_of_another(s.in))) {
+    if (is_spindle) s.feed.take_spindle();
     return;
   }
   is_declared(s) ? s.in.count_declared() : take_unknown_statement(s);

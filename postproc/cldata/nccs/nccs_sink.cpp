@@ -16,12 +16,13 @@ constexpr double kCircleKind = 5;  // the first of the five words before the num
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
-  static constexpr std::uint16_t kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009, kPprint = 1044,
-                                 kLoadtl = 1055;
+  static constexpr std::uint16_t kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009, kSpindl = 1031,
+                                 kPprint = 1044, kLoadtl = 1055;
 };
+constexpr std::uint16_t kOn = 71, kOff = 72;
 
 std::uint16_t minor_code(CutcomSide side) {
-  constexpr std::uint16_t kLeft = 8, kRight = 24, kOn = 71, kOff = 72;
+  constexpr std::uint16_t kLeft = 8, kRight = 24;
   constexpr std::array<std::uint16_t, 4> kCodes = {kOff, kLeft, kRight, kOn};
   return kCodes[static_cast<std::size_t>(side)];
 }
@@ -86,6 +87,10 @@ bool NccsSink::set_feed(const Feed& feed) {
   if (has_feed_per_turn_) words += nccs_word(NccsHeader{code, 0, 0, 0});
   add(NccsClass::kPost, PostCode::kFedrat, words);
   return true;
+}
+
+void NccsSink::stop_spindle(bool is_stopped) {
+  add(NccsClass::kPost, PostCode::kSpindl, nccs_word(NccsHeader{is_stopped ? kOff : kOn, 0, 0, 0}));
 }
 
 bool NccsSink::make_rapid() {

@@ -22,6 +22,7 @@ class NccsSink final : public MotionSink {
   [[nodiscard]] bool set_cutcom(CutcomSide side) override;
   void retract() override;
   [[nodiscard]] bool set_feed(const Feed& feed) override;
+  void stop_spindle(bool is_stopped) override;
   [[nodiscard]] bool make_rapid() override;
   void go_to(const Pose& end) override;
   [[nodiscard]] bool go_round(const PathArc& arc, const Pose& start, const Pose& end) override;

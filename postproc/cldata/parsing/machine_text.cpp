@@ -114,6 +114,15 @@ void note_motion_code(double number, MachineEffect& effect) {
   effect.motion_code = !is_line ? MotionCode::other : number > 0 ? MotionCode::straight : MotionCode::rapid;
 }
 
+// Notes a code that starts or stops the spindle. Of two codes the stop counts.
+void note_spindle(double number, MachineEffect& effect) {
+  constexpr auto kStarts = std::to_array<double>({3, 4, 13, 14});
+  constexpr auto kStops = std::to_array<double>({5, 19});
+  const auto is_code = [&](double code) { return std::abs(number - code) <= 0; };
+  if (std::ranges::any_of(kStarts, is_code)) effect.stops_spindle = effect.stops_spindle.value_or(false);
+  if (std::ranges::any_of(kStops, is_code)) effect.stops_spindle = true;
+}
+
 // Returns the name of an offset, with the tokens beside the code that belong to it.
 std::string offset_of(const Token& code, const ControlCode& row, Tokens tokens) {
   std::string name = "G" + exact_text(*code.number);
@@ -149,7 +158,7 @@ void take_addresses(Tokens tokens, MachineEffect& effect) {
     codes.push_back(t);
     const auto rows = find_control_code(static_cast<char>(t.letters[0] & ~0x20), *t.number);
     if (rows.empty()) effect.is_unknown = true;
-    if (is_address_of(t, "G")) note_motion_code(*t.number, effect);
+    is_address_of(t, "G") ? note_motion_code(*t.number, effect) : note_spindle(*t.number, effect);
     for (const ControlCode* row : rows) allowed += row->addresses;
   }
   const auto is_taken = [&](const Token& t) { return is_address_of(without_step(t), allowed); };

@@ -31,6 +31,7 @@ struct MachineEffect {
   bool is_unknown = false;                ///< a word is not in the list: it may have any effect
   std::string work_offset;                ///< the work offset that it chooses ("G54", "G54.1P3"); empty: none
   std::optional<MotionCode> motion_code;  ///< G0, G1 or another one, which may be wrong for later positions
+  std::optional<bool> stops_spindle;      ///< M5, M19; false: M3, M4, M13, M14
   std::optional<LengthUnit> unit;         ///< unit of later numbers (G20, G21, G70, G71)
 };
 

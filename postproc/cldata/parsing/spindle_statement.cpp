@@ -18,4 +18,8 @@ std::optional<float> read_spindle_speed(std::span<const Argument> arguments) {
   return static_cast<float>(std::max(0.0, *speed->number));
 }
 
+bool stops_spindle(std::span<const Argument> arguments) {
+  return has_argument(arguments, "OFF") || has_argument(arguments, "ORIENT") || has_argument(arguments, "LOCK");
+}
+
 }  // namespace gouge

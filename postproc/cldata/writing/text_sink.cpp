@@ -130,6 +130,11 @@ bool TextSink::set_feed(const Feed& feed) {
   return true;
 }
 
+void TextSink::stop_spindle(bool is_stopped) {
+  begin_block_if_due();
+  line(is_stopped ? "SPINDL/OFF" : "SPINDL/ON");
+}
+
 bool TextSink::make_rapid() {
   if (options_.dialect.has_positions_alone) return false;
   begin_block_if_due();

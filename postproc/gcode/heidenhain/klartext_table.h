@@ -10,6 +10,8 @@ namespace gouge {
 
 enum class KlartextMeaning : std::uint8_t {
   harmless,        ///< neither moves nor changes anything
+  spindle_on,      ///< M3, M4, M13, M14
+  spindle_off,     ///< M5, M19
   program_end,     ///< M2, M30
   tip_control_on,  ///< M128
   tip_control_off,

@@ -120,6 +120,10 @@ void BlockRunner::take_tool() {
 // The modes that only give words a meaning.
 void BlockRunner::take_code(const GcodeRow& row) {
   switch (row.meaning) {
+    case Meaning::spindle_on:
+    case Meaning::spindle_off:
+      motion_.stop_spindle(row.meaning == Meaning::spindle_off);
+      break;
     case Meaning::plane_xy:
       modes_.plane = PlaneAxes{0, 1, 2};
       break;

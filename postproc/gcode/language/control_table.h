@@ -12,6 +12,8 @@ namespace gouge {
 /// Effect of a code on the state of the program. The tables give each code one of these; only the runner interprets them.
 enum class GcodeMeaning : std::uint8_t {
   harmless,  ///< neither a motion nor a change of later positions
+  spindle_on,
+  spindle_off,  ///< also the stop at an angle
   rapid,
   feed,
   arc_clockwise,

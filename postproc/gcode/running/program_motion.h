@@ -100,6 +100,8 @@ class ProgramMotion {
   }
   /// Sets the speed of the spindle, in revolutions per minute; 0: not known.
   void set_spindle(double rpm) { spindle_rpm_ = static_cast<float>(rpm); }
+  /// Stops the spindle before the next motion, or starts it.
+  void stop_spindle(bool is_stopped) { is_spindle_stopped_ = is_stopped; }
   /// Sets the feed by the number of such motions in a minute (G93). Each move takes its length in that time.
   void set_inverse_time(std::optional<double> moves_per_minute) {
     feed_ = {};
@@ -206,6 +208,7 @@ class ProgramMotion {
   bool has_turned_ = false;  // a rotary joint has turned in a move
   Feed feed_;
   float spindle_rpm_ = 0;
+  bool is_spindle_stopped_ = false;
   std::optional<double> moves_per_minute_;
   std::size_t statement_ = 0, line_ = 0, tool_ = kNone;
   std::vector<bool> has_run_;  // one for each statement

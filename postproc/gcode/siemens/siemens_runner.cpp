@@ -83,6 +83,10 @@ void SiemensRunner::take_codes() {
 // The modes that only give words a meaning.
 void SiemensRunner::take_mode(const SiemensWords::Code& code) {
   switch (code.row->meaning) {
+    case Meaning::spindle_on:
+    case Meaning::spindle_off:
+      motion_.stop_spindle(code.row->meaning == Meaning::spindle_off);
+      break;
     case Meaning::plane_xy:
       modes_.plane = PlaneAxes{0, 1, 2};
       break;
@@ -154,6 +158,9 @@ void SiemensRunner::take_spindle() {
     const SiemensWord* const word = words_.value(name);
     if (word != nullptr) motion_.set_spindle(word->value > 0 ? word->value : 0);
   }
+  constexpr double kFirstStop = 5;  // of 3, 4, 5 and 19
+  if (words_.value("SPOS") != nullptr) motion_.stop_spindle(true);
+  if (const SiemensWord* const code = words_.value("M1")) motion_.stop_spindle(code->value >= kFirstStop);
 }
 
 void SiemensRunner::set_feed() {

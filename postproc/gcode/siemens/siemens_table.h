@@ -13,7 +13,9 @@
 namespace gouge {
 
 enum class SiemensMeaning : std::uint8_t {
-  harmless,     ///< neither moves nor changes later motions
+  harmless,  ///< neither moves nor changes later motions
+  spindle_on,
+  spindle_off,  ///< also the stop at an angle
   not_checked,  ///< later motions cannot be checked until another word of its group; the row's note is the reason
   rapid,
   line,

@@ -45,6 +45,15 @@ TEST(MachineText, ReportsWhatGCodeDoes) {
   EXPECT_EQ(effects("M30"), "e");
 }
 
+TEST(MachineText, ReportsThatTheSpindleStopsOrStarts) {
+  for (const char* const stop : {"M5", "M05 M09", "M19 R90", "M3 M5", "L Z+50 R0 FMAX M5"})
+    EXPECT_EQ(read_machine_text(stop).stops_spindle, true) << stop;
+  for (const char* const start : {"M3", "M03 S900", "M4", "M13", "M14"})
+    EXPECT_EQ(read_machine_text(start).stops_spindle, false) << start;
+  for (const char* const other : {"M8", "G5", "S900", ""})
+    EXPECT_EQ(read_machine_text(other).stops_spindle, {}) << other;
+}
+
 TEST(MachineText, TakesABlockForHarmlessWhereEveryWordIsInTheList) {
   for (const char* text : {"M8", "N5 G17 G40 G80 G90", "M03 S12000", "G4 X2.5", "G04 P1000", "G5.1 Q1", "G05 P10000",
                            "G187 P1 E0.01", "G64 P0.01", "G96 S200", "M19 R90", "M41", "%", "O1234", "G642", ""})

@@ -29,5 +29,16 @@ TEST(SpindleStatement, HoldsUntilTheNextOneThatChangesIt) {
   EXPECT_EQ(speed_after(""), 0);
 }
 
+TEST(SpindleStatement, StopsAndStartsTheSpindle) {
+  const auto is_stopped_after = [](const std::string& statements) {
+    return path_of("UNITS/MM\n" + statements + "GOTO/1,2,3\nGOTO/1,2,4\nFINI\n").moves.back().is_spindle_stopped;
+  };
+  EXPECT_FALSE(is_stopped_after("")) << "a file that states nothing runs with a turning spindle";
+  for (const char* const stop : {"SPINDL/OFF\n", "spindl / off\n", "SPINDL/ORIENT\n", "SPINDL/LOCK\n"})
+    EXPECT_TRUE(is_stopped_after(stop)) << stop;
+  for (const char* const start : {"SPINDL/ON\n", "SPINDL/RPM,900,CLW\n", "SPINDL/800,CCLW\n"})
+    EXPECT_FALSE(is_stopped_after(std::string("SPINDL/OFF\n") + start)) << start;
+}
+
 }  // namespace
 }  // namespace gouge::spindle_statement_test
