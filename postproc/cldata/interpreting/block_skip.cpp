@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/further_readings.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
@@ -89,9 +90,20 @@ void find_start_for_link(States& s) {
   if (s.is_behind_skip && s.chain.unknown_start() == s.skip_reason) s.chain.find_start();
 }
 
+void lose_way_behind_skip(States& s, std::size_t moves) {
+  if (moves <= s.skip_begin) return;
+  Move& last = s.in.path.moves[moves - 1];
+  const bool is_same = s.skip_start && (s.skip_start->tip - last.end.tip).norm() <= Tolerance::kSamePoint_mm &&
+                       (s.skip_start->axis - last.end.axis).norm() <= Tolerance::kExactDirection;
+  if (is_same) return;
+  if (last.not_checked_reason.empty() || last.is_covered()) last.not_checked_reason = s.skip_reason;
+  last.cover = Cover::none;
+}
+
 void emit_from_before_skip(States& s, const Position& position) {
   if (!std::exchange(s.is_behind_skip, false)) return;
   Move& last = s.in.path.moves.back();
+  if (last.begins_stretch) lose_way_behind_skip(s, s.in.moves() - 1);
   if (last.is_linked && last.not_checked_reason.empty()) last.not_checked_reason = s.skip_reason;
   if (!last.has_start) return;
   open_last_move(s, s.skip_reason);

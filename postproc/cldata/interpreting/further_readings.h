@@ -14,6 +14,10 @@ void push_reading(States& s, const Position& position, Move move);
 void emit_one_turn_more(States& s, const Position& position);
 /// Adds the reading from the position before a block skip, which may be the start of the last move.
 void emit_from_before_skip(States& s, const Position& position);
+
+/// Leaves the last of the first `moves` moves unchecked, unless it is where the skip begins: its way to the next tool or home is
+/// not stated, and the control may take it from the position before the skip.
+void lose_way_behind_skip(States& s, std::size_t moves);
 /// Finds the start of the straight motion to `position` from the last position of a block skip, if the motion from the
 /// position before the skip is checked too.
 void find_start_behind_skip(States& s, const Position& position);

@@ -102,6 +102,7 @@ void Interpreter::finish() {
   if (s.uncertainties.has(Uncertainty::skip)) {
     for (std::size_t i = s.skip_begin; i < s.in.moves(); ++i) s.in.path.moves[i].cover = Cover::none;
   }
+  if (s.is_behind_skip) lose_way_behind_skip(s, s.in.moves());
   if (s.nurbs.is_open()) end_nurbs(s);
   if (s.curve.is_open()) drop_described_curve(s);
   if (s.cycle.is_left_open()) mark_cycle_uncertain(s);
@@ -148,6 +149,8 @@ void Interpreter::gather_facts() {
   facts_.has_turned_frame = s.frame.has_turned();
   facts_.offset_line = s.offsets_chosen.first_line;
   facts_.smoothing_line = s.smoothing_line;
+  facts_.smoothing_mm = s.smoothing_mm;
+  facts_.joint_law_line = s.joint_law_line;
 }
 
 std::shared_ptr<const MotionRecords> read_motion_records(const Toolpath& path, OpenStatements open) {

@@ -93,8 +93,9 @@ TEST(BlockSkip, WithAWayHomeLeavesTheNextMotionOpen) {
 
 TEST(BlockSkip, IsLinkedToAPositionBehindABreak) {
   EXPECT_EQ(open_lines(apt("GOTO/0,0,9\n" + skipped("GOTO/0,0,20\n") + "FROM/9,0,20\nGOTO/9,0,9\n")), Lines{8});
-  EXPECT_EQ(open_lines(apt("GOTO/0,0,9\n" + skipped("GOTO/0,0,20\n") + "GOHOME\nGOTO/9,0,9\n")), Lines{});
-  EXPECT_EQ(open_lines(apt("GOTO/0,0,9\n" + skipped("GOTO/0,0,20\n") + "CUTTER/6\nLOADTL/2\nGOTO/9,0,9\n")), Lines{});
+  EXPECT_EQ(open_lines(apt("GOTO/0,0,9\n" + skipped("GOTO/0,0,20\n") + "GOHOME\nGOTO/9,0,9\n")), Lines{6})
+      << "its way home";
+  EXPECT_EQ(open_lines(apt("GOTO/0,0,9\n" + skipped("GOTO/0,0,20\n") + "CUTTER/6\nLOADTL/2\nGOTO/9,0,9\n")), Lines{6});
 }
 
 TEST(BlockSkip, LeavesArcsAtItsBordersOpen) {
@@ -142,6 +143,14 @@ TEST(BlockSkip, BehindARetractOrCompensationHasNoOtherStart) {
 TEST(BlockSkip, TwiceWithoutAMotionBetweenIsNotChecked) {
   EXPECT_EQ(open_lines(apt("GOTO/0,0,9\n" + skipped("GOTO/0,0,20\n") + skipped("GOTO/0,0,30\n") + "GOTO/9,0,30\n")),
             Lines{11});
+}
+
+TEST(BlockSkip, LeavesTheWayOpenOnWhichTheToolLeaves) {
+  const std::string out = "GOTO/0,0,9\nGOTO/5,0,9\n" + skipped("GOTO/5,0,50\n");
+  EXPECT_EQ(open_lines(apt(out)), Lines{7}) << "FINI";
+  EXPECT_EQ(open_lines(apt(out + "LOADTL/2\nGOTO/0,0,60\n")), Lines{7});
+  EXPECT_EQ(open_lines(apt(out + "GOHOME\nGOTO/0,0,60\n")), Lines{7});
+  EXPECT_EQ(open_lines(apt(out + "GOTO/0,0,60\n")), Lines{}) << "both motions to a position that the file states";
 }
 
 }  // namespace
