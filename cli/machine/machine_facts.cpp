@@ -52,10 +52,20 @@ Assumption smoothing_fact(const Machine* machine, const MachineStatement& stated
   fact.remedy =
       "give --tip-tolerance and --axis-tolerance (0 for none), or state with --assume smoothing that the "
       "control keeps to its law";
-  if (stated.has_tolerances) {
+  const bool is_of_machine = !stated.has_tolerances && machine != nullptr && has_tolerances(machine->control);
+  const double stated_mm = is_of_machine ? machine->control.tip_tolerance_mm : tube.tip_mm;
+  if ((stated.has_tolerances || is_of_machine) && path.smoothing_mm > stated_mm + Tolerance::kRounding_mm) {
+    fact.basis = Basis::contradicted;
+    fact.file = path.file;
+    fact.line = path.smoothing_line;
+    fact.evidence = "text for the control lets the tool leave the path by " + display_text(path.smoothing_mm, 6) +
+                    " mm" + ", and the stated tolerance is " + display_text(stated_mm, 6) + " mm";
+    fact.remedy =
+        "state the larger one with --tip-tolerance, or with --assume smoothing that the control keeps to its law";
+  } else if (stated.has_tolerances) {
     fact.basis = Basis::stated;
     fact.evidence = "stated by the options";
-  } else if (machine != nullptr && has_tolerances(machine->control)) {
+  } else if (is_of_machine) {
     fact.basis = Basis::stated;
     fact.evidence = "control " + machine->control.name + " of machine " + machine->name;
   } else if (path.smoothing_line > 0) {

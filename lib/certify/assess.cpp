@@ -170,6 +170,13 @@ Assumption motion_law_fact(const Toolpath& path, const MotionLaw& law, const std
     fact.basis = Basis::derived;
     fact.value = "fixed tool axis";
     fact.evidence = "the tool axis turns in no move";
+  } else if (path.joint_law_line > 0 && law.is_great_circle()) {
+    fact.basis = Basis::contradicted;
+    fact.line = path.joint_law_line;
+    fact.evidence = "text for the control in line " + std::to_string(path.joint_law_line) +
+                    " turns the tool by its rotary joints in proportion, and not on the great circle";
+    fact.remedy =
+        "give --machine with --feed-law axis, or state with --assume motion-law that the axis turns on the great circle";
   } else if (!stated_by.empty()) {
     fact.basis = Basis::stated;
     fact.evidence = stated_by;

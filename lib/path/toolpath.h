@@ -172,6 +172,8 @@ struct Toolpath {
   Assumptions assumptions;         ///< unit, dialect, completeness, statements and frame of a file that was read
   std::string work_offset;         ///< in whose coordinates the positions of a program are; empty: in part coordinates
   std::size_t smoothing_line = 0;  ///< first line of text for the control that lets it leave the path; 0: none
+  double smoothing_mm = 0;         ///< the largest distance that such text states; 0: none
+  std::size_t joint_law_line = 0;  ///< first line of text by which the rotary joints run in proportion; 0: none
   bool has_turned_frame = false;   ///< in some moves the X, Y and Z of the file are not those of the part
   /// Null if the path was read without them; a caller that needs them then reads the file again.
   std::shared_ptr<const MoveOrigins> origins;

@@ -6,6 +6,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/samples/small_shop.h"
 
 // The tolerances of a control that smooths the path, as users see them.
 
@@ -99,6 +100,33 @@ TEST_F(SmoothingTube, WrongTolerancesAreRefused) {
   EXPECT_NE(error_of({"--tip-tolerance", "wide"}).find("--tip-tolerance 'wide'"), std::string::npos);
   EXPECT_NE(error_of({"--tip-tolerance", "0.1", "--head", "part.stl"}).find("not the bodies of --head"),
             std::string::npos);
+}
+
+TEST(SmoothingText, ContradictsASmallerTolerance) {
+  const SmallShop shop;
+  const auto status = [&](const std::string& text, const std::vector<std::string>& more) {
+    return shop.check("a", path_text(stations(), std::string(kHead) + "INSERT " + text + "\n"), more).exit_status;
+  };
+  for (const char* const text : {"G187 E0.5", "CYCLE832(0.5)", "G64 P0.5", "CYCL DEF 32.1 T0.5"}) {
+    EXPECT_EQ(status(text, {"--tip-tolerance", "0.01", "--tolerance", "1"}), 4) << text;
+    EXPECT_EQ(shop.json("a.json").at("verdict"), "not-fully-checked");
+    EXPECT_EQ(status(text, {"--tip-tolerance", "0.5", "--tolerance", "1"}), 0) << text;
+    EXPECT_EQ(status(text, {"--tip-tolerance", "0.01", "--tolerance", "1", "--assume", "smoothing"}), 0) << text;
+  }
+}
+
+TEST(JointLawText, ContradictsTheGreatCircleWhereTheAxisTurns) {
+  const SmallShop shop;
+  const std::string head = "PARTNO/SHOP\nUNITS/MM\nCUTTER/10\nLOADTL/1\nMULTAX/ON\n";
+  const std::string turns = "GOTO/-20,50,30,0,0,1\nGOTO/-20,50,30,0,.6,.8\nFINI\n";
+  EXPECT_EQ(shop.check("a", head + turns).exit_status, 0);
+  EXPECT_EQ(shop.check("a", head + "INSERT ORIVECT\n" + turns).exit_status, 0);
+  EXPECT_EQ(shop.check("a", head + "INSERT ORIAXES\nGOTO/-20,50,30,0,0,1\nGOTO/-20,50,40,0,0,1\nFINI\n").exit_status,
+            0);
+  const Outcome ran = shop.check("a", head + "INSERT ORIAXES\n" + turns);
+  EXPECT_EQ(ran.exit_status, 4);
+  EXPECT_NE(ran.out.find("motion-law (contradicted): text for the control in line 6"), std::string::npos) << ran.out;
+  EXPECT_EQ(shop.check("a", head + "INSERT ORIAXES\n" + turns, {"--assume", "motion-law"}).exit_status, 0);
 }
 
 }  // namespace

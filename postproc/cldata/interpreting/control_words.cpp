@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/further_readings.h"
 #include "postproc/cldata/interpreting/misreading.h"
@@ -50,6 +51,28 @@ void take_codes(States& s, char letter) {
   take_machine_text(s, read_machine_text(block));
 }
 
+// Notes text that lets the control leave the path, or turn the axis otherwise.
+void take_path_law(States& s, const MachineEffect& effect) {
+  if (effect.smooths && s.smoothing_line == 0) s.smoothing_line = s.in.line();
+  if (effect.smoothing) s.smoothing_mm = std::max(s.smoothing_mm, *effect.smoothing * s.frame.mm_per_unit());
+  if (effect.turns_axes && s.joint_law_line == 0) s.joint_law_line = s.in.line();
+}
+
+void take_modes(States& s, const MachineEffect& effect) {
+  const char* const reason = s.in.because(Reasons::kMachineMode);
+  if (effect.plane) s.control_modes.take_plane(*effect.plane, reason);
+  if (effect.centres_absolute) s.control_modes.take_centres(*effect.centres_absolute, reason);
+  if (effect.level_at_start) s.control_modes.take_level(*effect.level_at_start, reason);
+  if (s.cycle.is_on() && changes_cycle(effect)) s.cycle.doubt(reason);
+}
+
+// Returns whether text ends a compensation or a tilted plane that the file has in force.
+bool moves_tool_off(const States& s, const MachineEffect& effect) {
+  if (effect.ends_compensation && s.cutcom.side() != CutcomSide::none) return true;
+  if (!effect.ends_tilt || !s.chain.last_pose()) return false;
+  return s.frame.to_local(*s.chain.last_pose()).axis.z() < 1 - Tolerance::kExactDirection;
+}
+
 }  // namespace
 
 // Applies the effects of text for the control. A code that ends a shift need not end the one in force. A code that ends
@@ -57,12 +80,13 @@ void take_codes(States& s, char letter) {
 void take_machine_text(States& s, const MachineEffect& effect) {
   const bool is_other_unit = effect.unit && std::abs(mm_per(*effect.unit) - s.frame.mm_per_unit()) > 0;
   if (effect.is_unknown) return take_unknown_statement(s);
-  if (effect.smooths && s.smoothing_line == 0) s.smoothing_line = s.in.line();
+  take_path_law(s, effect);
   if (has_effect(effect)) contradict_skip(s);
   if (effect.stops_spindle) s.feed.stop_spindle(*effect.stops_spindle);
   if (effect.motion_code) s.control_motion.take_text(*effect.motion_code, s.in.because(Reasons::kMachineMotion));
+  take_modes(s, effect);
   const bool moves = effect.moves || effect.changes_tool;
-  const bool shifts = effect.shifts || is_other_unit;
+  const bool shifts = effect.shifts || is_other_unit || moves_tool_off(s, effect);
   if (!effect.work_offset.empty()) choose_offset(s, effect.work_offset);
   if (moves || shifts || effect.changes_length || effect.begins_cycle || effect.begins_steps) s.in.count_unknown();
   if (moves) emit_unread(s);

@@ -74,6 +74,12 @@ void CycleState::begin_unknown() {
   why_ = in_.because(Reasons::kCycle);
 }
 
+void CycleState::doubt(const char* why) {
+  drill_.reset();
+  words_.clear();
+  why_ = why;
+}
+
 bool CycleState::end() { return !std::exchange(is_on_, false) && was_ever_on_; }
 
 void CycleState::contradict() {

@@ -21,6 +21,8 @@ class CycleState {
   void begin(double mm_per_unit);
   /// Begins a cycle of which nothing is understood.
   void begin_unknown();
+  /// Leaves its later positions unchecked: text for the control may have ended or changed it.
+  void doubt(const char* why);
   /// Ends the cycle. Returns true if none is in force, but the file has had one before. In a file without cycles,
   /// CYCLE/OFF has no effect.
   [[nodiscard]] bool end();

@@ -114,6 +114,17 @@ const char* note_motion_code(States& s, bool is_known, bool is_rapid) {
   return s.control_motion.note(is_rapid ? MotionCode::rapid : MotionCode::straight);
 }
 
+// Returns the plane of an arc in the axes of the file; none: another curve, or another plane.
+std::optional<ControlPlane> plane_of_arc(const States& s) {
+  if (!s.curve.arc()) return std::nullopt;
+  const Vec3 axis = s.curve.arc()->axis.normalized().cwiseAbs();
+  const std::array<ControlPlane, 3> planes = {ControlPlane::yz, ControlPlane::zx, ControlPlane::xy};
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    if (axis[static_cast<int>(k)] > 1 - Tolerance::kExactDirection) return planes.at(k);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void emit(States& s, const Position& position) {
@@ -125,6 +136,8 @@ void emit(States& s, const Position& position) {
   const bool is_cycle =
       s.cycle.is_on() && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
   if (is_cycle) s.control_motion.note(MotionCode::other);
+  if (is_cycle && s.cycle.drill())
+    if (const char* const reason = s.control_modes.note_cycle()) s.cycle.doubt(reason);
   if (is_cycle && s.cycle.drill() && s.uncertainties.reason() == nullptr)
     return emit_hole(s, position, *s.cycle.drill());
 
@@ -147,6 +160,8 @@ void emit(States& s, const Position& position) {
   if (move.not_checked_reason.empty() && other_code != nullptr) move.not_checked_reason = other_code;
   if (move.not_checked_reason.empty() && is_kind_doubtful) move.not_checked_reason = s.skip_reason;
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
+  const char* const other_arc = is_arc ? s.control_modes.note_arc(plane_of_arc(s)) : nullptr;
+  if (move.not_checked_reason.empty() && other_arc != nullptr) move.not_checked_reason = other_arc;
   if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
   if (is_arc) s.arc_slope_mm.reset();
   const bool has_part_of_turn = move.not_checked_reason == ArcProblems::kTimes;

@@ -99,6 +99,8 @@ struct Reasons {
       "follows text for the machine's control that makes positions steps (G91)";
   static constexpr const char* kMachineMotion =
       "follows text for the machine's control with a motion code (G0 to G3), with which it may run";
+  static constexpr const char* kMachineMode =
+      "follows text for the machine's control with a code of planes, arc centres or cycles, which may change its way";
   static constexpr const char* kSetup = "follows a setup or selection that may shift or turn positions";
   static constexpr const char* kSkewed =
       "positions are in a frame whose axes are scaled or not at right angles: where it puts them the file does not say";

@@ -15,6 +15,7 @@
 #include "postproc/cldata/interpreting/block_state.h"
 #include "postproc/cldata/interpreting/catia_matrix.h"
 #include "postproc/cldata/interpreting/clt_setup.h"
+#include "postproc/cldata/interpreting/control_modes.h"
 #include "postproc/cldata/interpreting/control_motion.h"
 #include "postproc/cldata/interpreting/cutter_compensation.h"
 #include "postproc/cldata/interpreting/cycle_state.h"
@@ -107,6 +108,7 @@ struct PendingInsert {
 struct IndexedMoves {
   std::size_t begin = 0, end = kNone;  ///< kNone: the range has no end yet
   std::size_t frames = 0;              ///< States::frame_changes at the beginning of the range
+  bool is_rapid_open = false;          ///< a RAPID is open where the range begins or ends
   bool begins_with_step = false;       ///< its first move is a step, which continues from elsewhere when it is repeated
 };
 inline constexpr std::size_t kMaxCopied = 1000000;  ///< maximum number of moves copied by one COPY
@@ -153,6 +155,7 @@ struct States {
   FeedState feed{in};
   FeedUnits feed_units;
   ControlMotion control_motion;
+  ControlModes control_modes;
   FrameState frame;
   BlockState blocks;
   CatiaMatrix matrix{in, frame};
@@ -169,6 +172,8 @@ struct States {
   std::string work_offset;               ///< the work offset of the positions; empty: none is chosen
   Tally offsets_chosen;                  ///< work offsets chosen by text for the machine's control
   std::size_t smoothing_line = 0;        ///< first text for the control that lets it leave the path; 0: none
+  double smoothing_mm = 0;               ///< the largest distance that such text states
+  std::size_t joint_law_line = 0;        ///< first text by which the rotary joints run in proportion; 0: none
   bool is_unknown_in_block = false;      ///< the open block contains a statement that is not understood
   std::optional<PendingInsert> pending;  ///< text that is the name of a tool if a CUTTER follows
   bool is_world_stated = false;          ///< there was a TRNTYP/WORLD

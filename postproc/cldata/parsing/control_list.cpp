@@ -18,7 +18,7 @@ constexpr std::string_view kIso = "ISO 6983-1", kFanuc = "Fanuc 30i", kHaas = "H
 constexpr auto kCodes = std::to_array<ControlCode>({
     {'G', 0, 30, path, "", kIso},
     {'G', 40, 40, harmless, "PXUH", kIso},
-    {'G', 50, 50, harmless, "PRQ", kFanuc},
+    {'G', 50, 50, smooths, "PRQ", kFanuc},
     {'G', 50, 53, path, "PQ", kLinuxCnc},
     {'G', 51, 51, smooths, "QRP", kFanuc},
     {'G', 80, 80, harmless, "P", kFanuc},
@@ -28,13 +28,13 @@ constexpr auto kCodes = std::to_array<ControlCode>({
     {'G', 131, 131, harmless, "", kFanuc},
     {'G', 150, 150, harmless, "", kFanuc},
     {'G', 150, 150, offset, "", kOkuma},
-    {'G', 170, 190, harmless, "", kIso},
+    {'G', 170, 190, plane, "", kIso},
     {'G', 200, 200, inch, "", kFanuc},
     {'G', 210, 210, mm, "", kFanuc},
     {'G', 250, 260, harmless, "PQR", kFanuc},
     {'G', 270, 310, moves, "PQRH", kFanuc},
     {'G', 320, 339, path, "QRK", kFanuc},
-    {'G', 400, 400, harmless, "", kIso},
+    {'G', 400, 400, ends_compensation, "", kIso},
     {'G', 401, 429, shifts, "PQR", kFanuc},
     {'G', 430, 449, length, "PQR", kFanuc},
     {'G', 490, 490, length, "", kFanuc},
@@ -47,11 +47,11 @@ constexpr auto kCodes = std::to_array<ControlCode>({
     {'G', 550, 599, offset, "P", kFanuc},
     {'G', 601, 603, harmless, "", kSiemens},
     {'G', 610, 620, harmless, "", kFanuc},
-    {'G', 640, 640, smooths, "P", kFanuc},
+    {'G', 640, 640, blends, "PQ", kLinuxCnc},
     {'G', 660, 661, begins_cycle, "P", kFanuc},
     {'G', 670, 670, ends_cycle, "", kFanuc},
     {'G', 680, 689, shifts, "RPQIJK", kFanuc},
-    {'G', 690, 690, harmless, "", kFanuc},
+    {'G', 690, 690, ends_tilt, "", kFanuc},
     {'G', 691, 691, harmless, "", kFanuc},
     {'G', 700, 700, inch, "", kSiemens},
     {'G', 700, 700, shifts, "PQ", kFanuc},
@@ -61,20 +61,20 @@ constexpr auto kCodes = std::to_array<ControlCode>({
     {'G', 800, 800, ends_cycle, "", kIso},
     {'G', 810, 899, begins_cycle, "RPQKLEHD", kIso},
     {'G', 900, 900, ends_steps, "", kIso},
-    {'G', 901, 901, harmless, "", kLinuxCnc},
+    {'G', 901, 901, centres_absolute, "", kLinuxCnc},
     {'G', 910, 910, begins_steps, "", kIso},
-    {'G', 911, 911, harmless, "", kLinuxCnc},
+    {'G', 911, 911, centres_from_start, "", kLinuxCnc},
     {'G', 920, 929, shifts_with_axes, "PQR", kFanuc},
     {'G', 930, 950, harmless, "", kIso},
     {'G', 960, 970, harmless, "RP", kIso},
-    {'G', 980, 990, harmless, "", kFanuc},
+    {'G', 980, 990, level, "", kFanuc},
     {'G', 1130, 1130, harmless, "", kFanuc},
     {'G', 1130, 1130, offset, "", kHaas},
     {'G', 1530, 1530, moves, "", kSiemens},
     {'G', 1540, 1549, offset, "P", kHaas},
     {'G', 1870, 1870, smooths, "PE", kHaas},
     {'G', 2340, 2340, length, "", kHaas},
-    {'G', 2550, 2550, harmless, "", kHaas},
+    {'G', 2550, 2550, ends_tilt, "", kHaas},
     {'G', 5000, 5000, offset, "", kSiemens},
     {'G', 5050, 5990, offset, "", kSiemens},
     {'G', 6010, 6030, harmless, "", kSiemens},
@@ -121,8 +121,8 @@ constexpr auto kWords = std::to_array<ControlWord>({
     {"FIFOCTRL", ControlForm::alone, kSiemens},
     {"LIMS", ControlForm::values, kSiemens},
     {"MSG", ControlForm::message, kSiemens},
-    {"ORIAXES", ControlForm::alone, kSiemens},
-    {"ORIMKS", ControlForm::alone, kSiemens},
+    {"ORIAXES", ControlForm::alone, kSiemens, turns_axes},
+    {"ORIMKS", ControlForm::alone, kSiemens, turns_axes},
     {"ORIVECT", ControlForm::alone, kSiemens},
     {"ORIWKS", ControlForm::alone, kSiemens},
     {"SETMS", ControlForm::values, kSiemens},
@@ -149,7 +149,7 @@ constexpr auto kPhrases = std::to_array<ControlPhrase>({
     {"CYCL", "DEF", "DWELL TIME VERWEILZEIT V ZEIT", 9, harmless},
     {"CYCL", "DEF", "ORIENTATION ORIENTIERUNG ANGLE WINKEL", 13, harmless},
     {"CYCL", "DEF", "DATUM SETTING Q", 247, offset},
-    {"FUNCTION", "TCPM", "F TCP CONT AXIS POS SPAT PATHCTRL VECTOR", ControlPhrase::kNoNumber, harmless},
+    {"FUNCTION", "TCPM", "F TCP CONT AXIS POS SPAT PATHCTRL VECTOR", ControlPhrase::kNoNumber, turns_axes},
 });
 
 }  // namespace
@@ -161,8 +161,8 @@ std::vector<const ControlCode*> find_control_code(char letter, double number) {
   const bool is_tenth = std::abs(number * 10 - tenfold) < kWholeTenth;
   for (const ControlCode& row : kCodes) {
     // A range of several numbers with little effect includes only integers: G1.5 is not one of G0 to G3.
-    const bool does_little =
-        row.meaning == harmless || row.meaning == smooths || row.meaning == path || row.meaning == offset;
+    constexpr auto kLittle = std::to_array({harmless, smooths, plane, level, path, offset});
+    const bool does_little = std::ranges::find(kLittle, row.meaning) != kLittle.end();
     const bool has_tenths = row.letter == 'G' && (!does_little || row.first / 10 == row.last / 10);
     const bool is_whole = tenfold % 10 == 0 || has_tenths;
     if (row.letter == letter && is_tenth && is_whole && tenfold >= row.first && tenfold <= row.last)

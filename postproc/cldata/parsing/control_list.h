@@ -13,7 +13,15 @@ namespace gouge {
 
 enum class ControlMeaning : std::uint8_t {
   harmless,
-  smooths,           ///< the control may leave the path, if an address of the code or a value is not 0
+  smooths,           ///< the control may leave the path, unless an address of the code or a value is 0
+  blends,            ///< the control may leave the path, whatever the values
+  plane,             ///< the plane of arcs and cycles
+  centres_absolute,  ///< arc centres are points
+  centres_from_start,
+  level,      ///< the level to which cycles retract
+  ends_tilt,  ///< ends a tilted plane
+  ends_compensation,
+  turns_axes,        ///< the rotary joints run in proportion, not the tool axis on the great circle
   length,            ///< changes the tool length in the control
   path,              ///< moves if the block has axes
   moves,             ///< always moves
@@ -53,7 +61,7 @@ struct ControlWord {
   std::string_view word;
   ControlForm form;
   std::string_view source;
-  ControlMeaning meaning = ControlMeaning::harmless;  ///< or smooths
+  ControlMeaning meaning = ControlMeaning::harmless;  ///< or smooths, turns_axes
 };
 
 /// Returns a word that moves and changes nothing, or null.

@@ -348,6 +348,8 @@ ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const D
   compare_with_feeds(guess, interpreter.feed_units(), path.assumptions);
   path.has_turned_frame = facts.has_turned_frame;
   path.smoothing_line = facts.smoothing_line;
+  path.smoothing_mm = facts.smoothing_mm;
+  path.joint_law_line = facts.joint_law_line;
   path.origins = records;
   if (!options.unnamed_tool.empty()) name_unnamed_tool(options.unnamed_tool, path);
   outcome.toolpath = std::move(path);

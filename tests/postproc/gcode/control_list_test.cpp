@@ -49,6 +49,22 @@ std::vector<ControlMeaning> effects_of(GcodeMeaning meaning) {
     case GcodeMeaning::length_off:
     case GcodeMeaning::tip_control_on:
       return {length};
+    case GcodeMeaning::plane_xy:
+    case GcodeMeaning::plane_zx:
+    case GcodeMeaning::plane_yz:
+      return {plane};
+    case GcodeMeaning::centre_absolute:
+      return {centres_absolute};
+    case GcodeMeaning::centre_incremental:
+      return {centres_from_start};
+    case GcodeMeaning::cycle_to_start:
+    case GcodeMeaning::cycle_to_plane:
+      return {level};
+    case GcodeMeaning::blending:
+      return {smooths, blends};
+    case GcodeMeaning::tilted_plane_off:
+    case GcodeMeaning::turned_offset_off:
+      return {ends_tilt};
     case GcodeMeaning::tilted_plane:
       return {shifts};
     case GcodeMeaning::tool_change:

@@ -45,13 +45,30 @@ TEST(MachineText, ReportsWhatGCodeDoes) {
   EXPECT_EQ(effects("M30"), "e");
 }
 
+TEST(MachineText, ReportsTheDistanceByWhichTheControlMayLeaveThePath) {
+  const auto distance = [](const char* text) { return read_machine_text(text).smoothing; };
+  EXPECT_EQ(distance("G187 P1 E0.5"), 0.5);
+  EXPECT_EQ(distance("CYCLE832(0.25,3)"), 0.25);
+  EXPECT_EQ(distance("G64 P0.1"), 0.1);
+  EXPECT_EQ(distance("G64 P0.1 Q0.2"), 0.2);
+  EXPECT_EQ(distance("CYCL DEF 32.1 T0.03"), 0.03);
+  EXPECT_EQ(distance("COMPCAD"), std::nullopt);
+}
+
+TEST(MachineText, ReportsThatRotaryJointsRunInProportion) {
+  for (const char* const text : {"ORIAXES", "oriaxes", "ORIMKS", "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS"})
+    EXPECT_TRUE(read_machine_text(text).turns_axes) << text;
+  for (const char* const text : {"ORIVECT", "ORIWKS", "FUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR", "TRAORI", "M128"})
+    EXPECT_FALSE(read_machine_text(text).turns_axes) << text;
+}
+
 TEST(MachineText, ReportsThatTheSpindleStopsOrStarts) {
   for (const char* const stop : {"M5", "M05 M09", "M19 R90", "M3 M5", "L Z+50 R0 FMAX M5"})
     EXPECT_EQ(read_machine_text(stop).stops_spindle, true) << stop;
   for (const char* const start : {"M3", "M03 S900", "M4", "M13", "M14"})
     EXPECT_EQ(read_machine_text(start).stops_spindle, false) << start;
   for (const char* const other : {"M8", "G5", "S900", ""})
-    EXPECT_EQ(read_machine_text(other).stops_spindle, {}) << other;
+    EXPECT_EQ(read_machine_text(other).stops_spindle, std::nullopt) << other;
 }
 
 TEST(MachineText, TakesABlockForHarmlessWhereEveryWordIsInTheList) {
@@ -136,13 +153,14 @@ TEST(MachineText, ReportsWhatHeidenhainWordsDo) {
 }
 
 TEST(MachineText, ReportsThatAControlMayLeaveThePath) {
-  for (const char* text : {"G64 P0.1", "G187 P3", "G187 E0.05", "G5.1 Q1", "G642", "CYCLE832(0.1)",
-                           "CYCLE832(0.5,_SEMIFIN,1)", "COMPCAD", "CYCL DEF 32.1 T0.05", "N10 G1 G187 P2"}) {
+  for (const char* text :
+       {"G64", "G64 P0", "G64 P0.1", "G187", "G187 P3", "G187 E0.05", "G5 P10000", "G5.1 Q1", "G642", "CYCLE832(0.1)",
+        "CYCLE832(0.5,_SEMIFIN,1)", "COMPCAD", "CYCL DEF 32.1 T0.05", "N10 G1 G187 P2"}) {
     EXPECT_TRUE(read_machine_text(text).smooths) << text;
     EXPECT_FALSE(read_machine_text(text).is_unknown) << text;
   }
   for (const char* text :
-       {"G64", "G187", "G5.1 Q0", "G61", "CYCLE832()", "CYCLE832(0,0,1)", "COMPOF", "CYCL DEF 32.0 TOLERANCE", "M8"})
+       {"G5 P0", "G5.1 Q0", "G61", "CYCLE832()", "CYCLE832(0,0,1)", "COMPOF", "CYCL DEF 32.0 TOLERANCE", "M8"})
     EXPECT_FALSE(read_machine_text(text).smooths) << text;
 }
 
