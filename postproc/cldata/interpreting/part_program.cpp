@@ -73,6 +73,7 @@ constexpr double kMaxCopies = 1000;
 // Returns whether moves can be repeated: all are checked straight moves and arcs, with the present tool and frame.
 bool is_repeatable(const States& s, const IndexedMoves& range) {
   if (range.begin == range.end || range.frames != s.frame_changes || range.begins_with_step) return false;
+  if (range.is_rapid_open || s.feed.is_rapid_pending()) return false;
   const Moves& moves = s.in.path.moves;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const Move& move = moves[i];
@@ -142,8 +143,9 @@ void take_index(States& s) {
   IndexedMoves& range = s.indexed[static_cast<int>(*arguments[0].number)];
   if (is_end) {
     if (range.end == kNone) range.end = s.in.moves();
+    range.is_rapid_open = range.is_rapid_open || s.feed.is_rapid_pending();
   } else {
-    range = {s.in.moves(), kNone, s.frame_changes, false};
+    range = {s.in.moves(), kNone, s.frame_changes, s.feed.is_rapid_pending(), false};
   }
 }
 

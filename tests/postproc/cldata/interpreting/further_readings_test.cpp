@@ -294,5 +294,16 @@ TEST(Cards, HaveNumbersInTheirLastColumns) {
   expect_vector(path.moves[0].end.tip, 1, 2, 3);
 }
 
+TEST(FurtherReadings, RepeatNoMovesWhereARapidIsOpen) {
+  const std::string begin = "GOTO/0,0,9\nINDEX/1\nGOTO/1,0,9\nGOTO/2,0,9\n", end = "GOTO/0,0,50\nFINI\n";
+  for (const std::string& text : {begin + "RAPID\nINDEX/1,NOMORE\nCOPY/1,TRANSL,0,10,0,2\n",
+                                  begin + "INDEX/1,NOMORE\nRAPID\nCOPY/1,SAME\n", begin + "RAPID\nCOPY/1,SAME\n"}) {
+    const Toolpath path = path_of(apt(text + end));
+    EXPECT_FALSE(path.moves.back().not_checked_reason.empty()) << text;
+  }
+  const Toolpath rapid = path_of(apt(begin + "RAPID\nGOTO/3,0,9\nINDEX/1,NOMORE\nCOPY/1,TRANSL,0,10,0,2\n" + end));
+  EXPECT_TRUE(rapid.moves.back().not_checked_reason.empty());
+}
+
 }  // namespace
 }  // namespace gouge::further_readings_test
