@@ -108,6 +108,7 @@ void KlartextRunner::define_value(int cycle, const Words& words) {
   if (!is_number || (words[0].name != value && !is_step))
     return lose_rest("CYCL DEF " + std::to_string(cycle) + ".1 needs " + std::string(value));
   if (!is_rotation) return frame_.scale(words[0].value);
+  if (!is_step && frame_.is_rotated_by(words[0].value)) return;  // a reset where nothing is turned
   frame_.rotate(words[0].value, is_step);
   rotation_line_ = line_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,10 @@ class KlartextFrame {
   /// Returns whether the datum shift that runs has stated an axis.
   [[nodiscard]] bool has_shifted(std::size_t axis) const { return named_.at(axis) || stepped_.at(axis); }
   void rotate(double degrees, bool is_step);
+  /// Returns whether the rotation in force is known and has this angle.
+  [[nodiscard]] bool is_rotated_by(double degrees) const {
+    return open_.empty() && std::abs(rotation_deg_ - degrees) <= 0;
+  }
   void mirror(bool x, bool y);
   void scale(double factor);
   /// Begins a tilted plane: the shift becomes its origin, which is returned.

@@ -56,6 +56,14 @@ TEST(KlartextFrames, AreRotatedOnceBothAxesMove) {
             "(10,0,5) open open (0,20,5)");
 }
 
+TEST(KlartextFrames, StayWhereTheRotationInForceIsStatedAgain) {
+  EXPECT_EQ(tips(blocks_of(kStart + rotation("ROT+0") + "L X+20 F100\n")), "(10,0,5) (20,0,5)");
+  EXPECT_EQ(tips(blocks_of(rotation("ROT+90") + kStart + rotation("ROT+90") + "L X+20 F100\n")), "(0,10,5) (0,20,5)");
+  expect_open(rotation("ROT+90") + kStart + rotation("ROT+0") + "L X+20 F100\n", "is active after a motion of X and Y");
+  expect_open(rotation("ROT+90") + kStart + rotation("IROT+0") + "L X+20 F100\n",
+              "is active after a motion of X and Y");
+}
+
 TEST(KlartextFrames, AreMirroredWithTheirArcs) {
   const Toolpath path = blocks_of(mirror("X") + kStart + "CC X+0 Y+0\nC X+0 Y+10 DR+ F100\n" + mirror("") + "L X+1\n");
   EXPECT_EQ(tips(path), "(-10,0,5) (0,10,5) (1,10,5)");
