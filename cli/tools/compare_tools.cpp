@@ -232,7 +232,7 @@ class Comparer {
     return may_be_flutes && std::abs(height - length_mm(known_.cutter)) <= kMeasured_mm ? 0 : height;
   }
 
-  // Compares the length of LENGTH in a loading. Some CAM systems state that of the cutter there, not to the gauge line.
+  // Compares the length of LENGTH in a loading.
   void compare_loaded_lengths() {
     const double stated = tool_.loaded_length_mm;
     if (!(stated > 0)) return;
@@ -242,8 +242,7 @@ class Comparer {
     if (stickout > stated + kMeasured_mm)
       return contradict(begin + "its holder begins at " + length(stickout) +
                         " by the library, which is what is checked");
-    const bool is_of_cutter = tool_.cutter && std::abs(tool_.cutter->h_mm - stated) <= kMeasured_mm;
-    if (is_of_cutter || !(known_.gauge_length_mm > 0)) return;
+    if (!loaded_gauge_length_mm(tool_) || !(known_.gauge_length_mm > 0)) return;
     const double gap = std::abs(stated - known_.gauge_length_mm);
     const std::string message =
         begin + "is " + length(known_.gauge_length_mm) + " long to the gauge line by the library";
@@ -278,6 +277,12 @@ class Comparer {
 };
 
 }  // namespace
+
+std::optional<double> loaded_gauge_length_mm(const PathTool& tool) {
+  const bool is_of_cutter = tool.cutter && std::abs(tool.cutter->h_mm - tool.loaded_length_mm) <= kMeasured_mm;
+  if (!(tool.loaded_length_mm > 0) || is_of_cutter) return std::nullopt;
+  return tool.loaded_length_mm;
+}
 
 ToolDifference compare_tools(const PathTool& tool, const ToolAssembly& known, const Toolpath& path,
                              const ToolSetUp& set_up) {

@@ -40,6 +40,10 @@ struct ToolDifference {
 /// Returns "T7", or the name of a tool without a number.
 [[nodiscard]] std::string name_of(const PathTool& tool);
 
+/// Returns the length to the gauge line that LENGTH in a loading states. Nothing: it states none, or that of the cutter, as
+/// some CAM systems do.
+[[nodiscard]] std::optional<double> loaded_gauge_length_mm(const PathTool& tool);
+
 /// Compares the tool `known` of the library, which is checked, with that of the path. If it is smaller, or ends below a
 /// length that the path states, a gouge of the path's tool could be missed. If it is larger, no gouge is missed. A larger
 /// tool removes more stock, so it could miss a rapid into material. Where both state a length to the gauge line, lengths

@@ -50,13 +50,38 @@ struct HeadLength {
   std::size_t tool = 0;
   double mm = 0;  ///< 0: not known
   bool is_gauge_length = false;
+  const char* source = "";  ///< of a length that the toolpath changes, as in "T1 is 110 mm long by LENGTH"
 };
 
-HeadLength length_of(const Toolpath& path, std::size_t tool, const std::optional<ToolAssembly>& assembly) {
-  const std::optional<double>& stated = path.tools[tool].gauge_length_mm;
+constexpr double kEqual_mm = 5e-3;
+
+HeadLength known_length(const PathTool& tool, std::size_t index, const std::optional<ToolAssembly>& assembly) {
+  const std::optional<double>& stated = tool.gauge_length_mm;
   const bool is_in_library = assembly && assembly->gauge_length_mm > 0;
-  if (stated || is_in_library) return {tool, stated ? *stated : assembly->gauge_length_mm, true};
-  return {tool, assembly && !assembly->holder.empty() ? height_mm(*assembly) : 0, false};
+  if (stated || is_in_library) return {index, stated ? *stated : assembly->gauge_length_mm, true};
+  return {index, assembly && !assembly->holder.empty() ? height_mm(*assembly) : 0, false};
+}
+
+// Returns how much farther from the tip the holder is by the stick-out that the toolpath states than in the library.
+double stickout_excess_mm(const PathTool& tool, const ToolAssembly& assembly) {
+  if (!(tool.stickout_mm > 0) || assembly.holder.empty()) return 0;
+  const double excess = tool.stickout_mm - stickout_mm(assembly);
+  return std::abs(excess) > kEqual_mm ? excess : 0;
+}
+
+// Returns the length of a tool. LENGTH in its loading is that of the tool as it is loaded. A stick-out moves the holder,
+// and the head with it.
+HeadLength length_of(const Toolpath& path, std::size_t index, const std::optional<ToolAssembly>& assembly) {
+  const PathTool& tool = path.tools[index];
+  HeadLength length = known_length(tool, index, assembly);
+  if (tool.gauge_length_mm || !(length.mm > 0)) return length;
+  if (const std::optional<double> loaded = loaded_gauge_length_mm(tool)) {
+    const bool is_as_known = std::abs(*loaded - length.mm) <= kEqual_mm;
+    if (!is_as_known) length = {index, *loaded, false, " by LENGTH in the toolpath"};
+  } else if (const double excess = stickout_excess_mm(tool, *assembly); std::abs(excess) > 0) {
+    length = {index, length.mm + excess, length.is_gauge_length, " by its stick-out in the toolpath"};
+  }
+  return length;
 }
 
 std::vector<HeadLength> lengths_of_used(const Toolpath& path,
@@ -70,11 +95,10 @@ std::vector<HeadLength> lengths_of_used(const Toolpath& path,
 
 std::string length_text(const Toolpath& path, const HeadLength& length) {
   return name_of(path.tools[length.tool]) + " is " + display_text(length.mm / mm_per(path.unit), 4) + " " +
-         unit_name(path.unit) + " long";
+         unit_name(path.unit) + " long" + length.source;
 }
 
 Assumption place_fact(const Toolpath& path, const std::vector<HeadLength>& lengths) {
-  constexpr double kEqual_mm = 5e-3;
   Assumption fact{.subject = Subject::head, .object = "place", .code = "head-place"};
   fact.file = path.file;
   fact.value = "equally far from the tip of each tool";

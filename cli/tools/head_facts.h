@@ -14,7 +14,8 @@ namespace gouge {
 /// of each tool that moves. The distance is the same for all tools. So it is right only if they are equally long.
 ///
 /// `assemblies`: one for each of Toolpath::tools. The length of a tool is that to its gauge line, else that of cutter,
-/// shank and holder together. `machine`: its name; empty: none is given.
+/// shank and holder together. LENGTH in the toolpath takes its place, and a stick-out in the toolpath changes it.
+/// `machine`: its name; empty: none is given.
 [[nodiscard]] Assumptions head_facts(const Toolpath& path, const std::vector<std::optional<ToolAssembly>>& assemblies,
                                      const std::string& machine);
 

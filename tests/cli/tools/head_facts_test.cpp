@@ -54,6 +54,45 @@ TEST(HeadFacts, ALengthOfTheSetUpTakesThePlaceOfThatOfTheLibrary) {
   EXPECT_EQ(head_facts(path, {tool_with(100), tool_with(0)}, "")[1].basis, Basis::derived);
 }
 
+TEST(HeadFacts, ALengthOfTheToolpathTakesThePlaceOfThatOfTheLibrary) {
+  const auto fact = [](double first_mm, double second_mm, double cutter_mm = 0) {
+    Toolpath path = path_with(2);
+    path.tools[0].loaded_length_mm = first_mm;
+    path.tools[1].loaded_length_mm = second_mm;
+    if (cutter_mm > 0) path.tools[1].cutter.emplace().h_mm = cutter_mm;
+    return head_facts(path, {tool_with(0, 70), tool_with(0, 70)}, "")[1];
+  };
+  EXPECT_EQ(fact(110, 110).basis, Basis::by_default);
+  EXPECT_EQ(fact(110, 110.004).basis, Basis::by_default);
+  EXPECT_EQ(fact(0, 110).basis, Basis::by_default) << "as long as in the library";
+  EXPECT_EQ(fact(0, 75, 75).basis, Basis::by_default) << "the length of the cutter";
+  EXPECT_EQ(fact(0, 100).basis, Basis::contradicted);
+  EXPECT_EQ(fact(100, 100).evidence, "all tools are 100 mm long");
+  const Assumption differs = fact(110, 100);
+  EXPECT_EQ(differs.basis, Basis::contradicted);
+  EXPECT_EQ(differs.evidence,
+            "a head is equally far from the tip of each tool, but T1 is 110 mm long and T2 is 100 mm long by LENGTH in "
+            "the toolpath");
+}
+
+TEST(HeadFacts, AStickOutOfTheToolpathMovesTheHead) {
+  const auto fact = [](double first_mm, double second_mm, double gauge_length_mm = 0) {
+    Toolpath path = path_with(2);
+    path.tools[0].stickout_mm = first_mm;
+    path.tools[1].stickout_mm = second_mm;
+    const ToolAssembly tool = tool_with(gauge_length_mm, 70);
+    return head_facts(path, {tool, tool}, "")[1];
+  };
+  EXPECT_EQ(fact(40, 40).basis, Basis::by_default);
+  EXPECT_EQ(fact(40.004, 39.996).basis, Basis::by_default) << "rounded";
+  EXPECT_EQ(fact(60, 60).evidence, "all tools are 130 mm long");
+  EXPECT_EQ(fact(60, 60, 115).basis, Basis::derived);
+  EXPECT_EQ(fact(40, 60).basis, Basis::contradicted);
+  EXPECT_EQ(fact(40, 60, 115).evidence,
+            "a head is equally far from the tip of each tool, but T1 is 115 mm long and T2 is 135 mm long by its "
+            "stick-out in the toolpath");
+}
+
 TEST(HeadFacts, TheTurnIsKnownWhereTheAxisStandsOrAProgramStatesTheJoints) {
   Toolpath path = path_with(1);
   const auto turn = [&](const std::string& machine) { return head_facts(path, {tool_with(0)}, machine)[0]; };
