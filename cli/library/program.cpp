@@ -62,9 +62,7 @@ gouge::ProgramSetup understood(const ProgramOptions& options, std::vector<gouge:
   if (options.tool_lengths.empty()) return setup;
   const std::string bytes = value_or_raise(gouge::read_file(options.tool_lengths));
   files.push_back(gouge::describe_input("tool-lengths", options.tool_lengths, bytes));
-  gouge::ToolTable table = value_or_raise(gouge::parse_tool_lengths(options.tool_lengths, bytes));
-  setup.lengths_mm = std::move(table.lengths_mm);
-  setup.diameters_mm = std::move(table.diameters_mm);
+  gouge::take_tool_table(value_or_raise(gouge::parse_tool_lengths(options.tool_lengths, bytes)), setup);
   return setup;
 }
 

@@ -137,6 +137,7 @@ Result<ToolTable> parse_tool_lengths(const std::string& file, std::string_view t
   text = without_byte_order_mark(text);
   if (is_heidenhain_tool_table(text)) return read_heidenhain_tool_table(file, text);
   ToolTable table;
+  table.file = file;
   std::optional<bool> is_csv;
   std::size_t number = 0;
   while (!text.empty()) {
@@ -166,6 +167,12 @@ Result<ToolTable> parse_tool_lengths(const std::string& file, std::string_view t
   }
   if (table.lengths_mm.empty()) return make_error("tool-lengths", "holds no length of a tool", file);
   return table;
+}
+
+void take_tool_table(ToolTable table, ProgramSetup& setup) {
+  setup.tool_table = std::move(table.file);
+  setup.lengths_mm = std::move(table.lengths_mm);
+  setup.diameters_mm = std::move(table.diameters_mm);
 }
 
 }  // namespace gouge

@@ -42,4 +42,7 @@ struct ProgramOptionNames {
 /// Source   LinuxCNC, Tool Table: T tool number, Z tool length offset, D tool diameter.
 [[nodiscard]] Result<ToolTable> parse_tool_lengths(const std::string& file, std::string_view text);
 
+/// Puts the facts of a tool table in their places.
+void take_tool_table(ToolTable table, ProgramSetup& setup);
+
 }  // namespace gouge

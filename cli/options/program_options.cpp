@@ -25,8 +25,7 @@ std::optional<Diagnostic> read_tool_lengths(const ReadingArguments& arguments, s
   Result<ToolTable> table = parse_tool_lengths(file, bytes);
   if (!table) return table.error();
   ProgramSetup setup = options.program ? *options.program : ProgramSetup{};
-  setup.lengths_mm = std::move(table->lengths_mm);
-  setup.diameters_mm = std::move(table->diameters_mm);
+  take_tool_table(std::move(*table), setup);
   options.program = std::make_shared<const ProgramSetup>(std::move(setup));
   return std::nullopt;
 }

@@ -24,7 +24,8 @@ std::string name_of(const PathTool& tool) {
 namespace {
 
 constexpr double kReach_mm = 5e-3;
-constexpr double kMeasured_mm = 1;  // lengths that differ by more are no measured ones of one tool
+constexpr double kMeasured_mm = 1;           // lengths that differ by more are no measured ones of one tool
+constexpr double kMeasuredRadius_mm = 0.01;  // measured radii differ by less; also the default tolerance of a check
 
 // Rounds to a millionth: finer than a difference that counts, coarser than the rounding of a change of unit.
 std::string rounded_text(double mm, LengthUnit unit) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); }
@@ -57,7 +58,9 @@ class Comparer {
     compare_names(tool_.name);
     for (const std::string& name : tool_.other_names) compare_names(name);
     const auto [diameter, corner] = nominal_size(known_.cutter);
-    if (tool_.stated_diameter_mm > 0 && std::abs(diameter - tool_.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
+    if (tool_.in_table.has_diameter)
+      compare_with_table(diameter);
+    else if (tool_.stated_diameter_mm > 0 && std::abs(diameter - tool_.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
       return report_difference(size_text(tool_.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit),
                                diameter < tool_.stated_diameter_mm);
     }
@@ -71,6 +74,20 @@ class Comparer {
         diameter < tool_.cutter->d_mm - Tolerance::kFilePoint_mm || (is_round && reach_mm(tool_) > kReach_mm);
     report_difference(size_text(tool_.cutter->d_mm, given_corner, path_.unit), size_text(diameter, corner, path_.unit),
                       is_smaller);
+  }
+
+  // Compares the tool with a measured one of the control's tool table.
+  void compare_with_table(double diameter) {
+    const double gap = (tool_.stated_diameter_mm - diameter) / 2;
+    if (2 * std::abs(gap) <= Tolerance::kFilePoint_mm) return;
+    const bool hides_gouge = gap > 0 || set_up_.use == ToolUse::removes_stock;
+    const std::string message = name_of(tool_) + " is " + size_text(tool_.stated_diameter_mm, path_.unit) +
+                                " by the tool table " + tool_.in_table.file + " but " +
+                                size_text(diameter, path_.unit) + " by the library, which is what is checked";
+    if (!hides_gouge) return warn(message + "; correct the library or --tool if another tool is meant");
+    if (std::abs(gap) > kMeasuredRadius_mm + Tolerance::kRounding_mm) return contradict(message);
+    add_doubt(message + "; the radii differ by " + rounded_text(std::abs(gap), path_.unit) + " " +
+              unit_name(path_.unit));
   }
 
   // Compares a name, and the part before its first comma: some writers state the name and a comment.
@@ -209,8 +226,8 @@ class Comparer {
     const double total = whole_length_mm();
     if (tool_.stickout_mm > 0 || !(total > 0) || known <= total + kMeasured_mm) return;
     // Many toolpaths state the length of the flutes there.
-    difference_.doubt = name_of(tool_) + " is " + length(total) + " long by the toolpath, and its holder begins at " +
-                        length(known) + " by the library, which is what is checked";
+    add_doubt(name_of(tool_) + " is " + length(total) + " long by the toolpath, and its holder begins at " +
+              length(known) + " by the library, which is what is checked");
   }
 
   void compare_stated_stickout(double known) {
@@ -264,6 +281,8 @@ class Comparer {
     if (is_smaller || set_up_.use == ToolUse::removes_stock) return contradict(message);
     warn(message + "; correct the library or --tool if another tool is meant");
   }
+
+  void add_doubt(const std::string& what) { difference_.doubt += (difference_.doubt.empty() ? "" : "; ") + what; }
 
   void contradict(const std::string& what) {
     difference_.contradiction += (difference_.contradiction.empty() ? "" : "; ") + what;

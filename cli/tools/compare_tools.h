@@ -33,7 +33,7 @@ struct ToolSetUp {
 /// The differences between a tool of the library and that of the path.
 struct ToolDifference {
   std::string contradiction;  ///< one sentence, or several joined by semicolons; empty: none that could hide anything
-  std::string doubt;          ///< a length that may be that of the flutes, or contradict the library; empty: none
+  std::string doubt;          ///< a fact that is no contradiction, but must be listed; empty: none
   Diagnostics warnings;       ///< about the other differences; code tool-differs
 };
 
@@ -47,7 +47,8 @@ struct ToolDifference {
 /// Compares the tool `known` of the library, which is checked, with that of the path. If it is smaller, or ends below a
 /// length that the path states, a gouge of the path's tool could be missed. If it is larger, no gouge is missed. A larger
 /// tool removes more stock, so it could miss a rapid into material. Where both state a length to the gauge line, lengths
-/// that differ by more than 1 mm contradict each other: measured lengths differ by less from those of a library.
+/// that differ by more than 1 mm contradict each other: measured lengths differ by less from those of a library. A
+/// measured radius of a tool table may differ by 0.01 mm, which is a doubt.
 [[nodiscard]] ToolDifference compare_tools(const PathTool& tool, const ToolAssembly& known, const Toolpath& path,
                                            const ToolSetUp& set_up);
 

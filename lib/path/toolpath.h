@@ -50,6 +50,12 @@ struct CutterStatement : AptCutter {
   int given = 0;  ///< number of values in the statement
 };
 
+/// Facts about a tool in a tool table of the control.
+struct TableTool {
+  std::string file = {};      ///< of the table; empty: it states none
+  bool has_diameter = false;  ///< PathTool::stated_diameter_mm is that of the table
+};
+
 /// A tool as the toolpath states it.
 struct PathTool {
   std::optional<int> number;              ///< number of LOADTL or LOAD/TOOL
@@ -65,6 +71,7 @@ struct PathTool {
   double stickout_mm = 0;                  ///< from the tip to the holder; 0: not stated
   double loaded_length_mm = 0;             ///< LENGTH of its loading, from the tip to the gauge line; 0: not stated
   std::optional<int> other_register = {};  ///< register of its length, if it is not the number of the tool
+  TableTool in_table = {};
 };
 
 struct Operation {

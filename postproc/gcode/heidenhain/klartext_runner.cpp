@@ -250,8 +250,11 @@ void KlartextRunner::define_radius(const PathTool& tool, double radius) {
   const auto [known, is_new] = diameters_mm_.emplace(name, diameter_mm);
   if (!is_new && std::abs(known->second - diameter_mm) > Tolerance::kFilePoint_mm)
     return lose_rest("TOOL DEF states two different radii of tool " + name + "; expected one");
-  for (PathTool& loaded : input_.path.tools)
-    if (loaded.number == tool.number && loaded.name == tool.name) loaded.stated_diameter_mm = diameter_mm;
+  for (PathTool& loaded : input_.path.tools) {
+    if (loaded.number != tool.number || loaded.name != tool.name) continue;
+    loaded.stated_diameter_mm = diameter_mm;
+    loaded.in_table.has_diameter = false;
+  }
 }
 
 // Source: iTNC 530 60642x-04, TOOL DEF: length L and radius R; without them the tool is only made ready.

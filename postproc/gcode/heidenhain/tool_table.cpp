@@ -50,7 +50,7 @@ std::optional<double> cell_value(std::string_view cell) {
 
 class TableReader {
  public:
-  TableReader(const std::string& file, std::string_view text) : file_(file), text_(text) {}
+  TableReader(const std::string& file, std::string_view text) : file_(file), text_(text) { table_.file = file; }
 
   Result<ToolTable> read() {
     const std::string_view begin = next();

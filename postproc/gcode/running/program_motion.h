@@ -185,6 +185,7 @@ class ProgramMotion {
   void leave_out(const AxisPlace& to);
   void note_height(const AxisPlace& to);
   void note_height_of_change(const PathTool& next);
+  void take_table(PathTool& tool) const;
   [[nodiscard]] std::optional<int> tool_number() const;
   [[nodiscard]] std::optional<double> length_of(std::optional<int> number) const;
   /// Returns the length of a tool from the gauge point to the tip; none: it is not known.

@@ -40,6 +40,7 @@ enum class TipFrame : std::uint8_t {
 
 /// A tool table of a control: facts about each tool by its number.
 struct ToolTable {
+  std::string file;                    ///< of the table
   std::map<int, double> lengths_mm;    ///< NaN: kSidewaysLength
   std::map<int, double> diameters_mm;  ///< of tools for which the table states one
 };
@@ -54,6 +55,7 @@ struct ProgramSetup {
   std::map<std::string, WorkOffset> offsets;  ///< by name: "G54", "G54.1P3"
   std::map<int, double> lengths_mm;           ///< length of each tool by its number, and of H; NaN: kSidewaysLength
   std::map<int, double> diameters_mm;         ///< of tools by their numbers, to be compared with those of a library
+  std::string tool_table;                     ///< the file that states them
   std::optional<double> tool_length_mm;       ///< of every tool
   std::string start;                          ///< blocks in force at the start, in the language of the control
   std::vector<std::string> tip_control_ends;  ///< codes that end tool centre point control: "G255"

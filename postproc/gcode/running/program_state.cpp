@@ -306,6 +306,14 @@ void ProgramMotion::note_height_of_change(const PathTool& next) {
   builder_.path.approaches.push_back({line_, pose->axis, pose->axis.dot(pose->tip) - lower_mm});
 }
 
+// Adds the facts of the tool table that the program does not state.
+void ProgramMotion::take_table(PathTool& tool) const {
+  const auto diameter = tool.number ? setup_.diameters_mm.find(*tool.number) : setup_.diameters_mm.end();
+  if (diameter == setup_.diameters_mm.end() || tool.stated_diameter_mm > 0) return;
+  tool.stated_diameter_mm = diameter->second;
+  tool.in_table = {.file = setup_.tool_table, .has_diameter = true};
+}
+
 void ProgramMotion::change_tool(const PathTool& tool) {
   note_height_of_change(tool);
   const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
@@ -317,9 +325,7 @@ void ProgramMotion::change_tool(const PathTool& tool) {
     PathTool& loaded = builder_.path.tools.back();
     const std::optional<double> length = gauge_length_of(tool.number);
     if (length && !std::isnan(*length)) loaded.gauge_length_mm = length;
-    const auto diameter = tool.number ? setup_.diameters_mm.find(*tool.number) : setup_.diameters_mm.end();
-    if (diameter != setup_.diameters_mm.end() && !(loaded.stated_diameter_mm > 0))
-      loaded.stated_diameter_mm = diameter->second;
+    take_table(loaded);
   }
   chain_.break_off();
   has_unknown_step_ = false;

@@ -171,6 +171,37 @@ TEST(CompareTools, ALoadedLengthIsNotShorterThanTheStickOut) {
       << "a writer that states the length of the cutter";
 }
 
+/// The tools of a path whose only tool is in a tool table, with the library's end mill.
+ResolvedTools measured(double diameter_mm, ToolUse use) {
+  static const ToolLibrary library = library_of({end_mill(75)});
+  Toolpath path;
+  PathTool& tool = path.tools.emplace_back();
+  tool.number = 1;
+  tool.stated_diameter_mm = diameter_mm;
+  tool.in_table = {.file = "l.tbl", .has_diameter = true};
+  path.moves.emplace_back().tool = 0;
+  return *resolve_tools(path, &library, {}, "", use);
+}
+
+TEST(CompareTools, AMeasuredDiameterThatDiffersLittleIsADefault) {
+  const auto fact = [](double diameter_mm, ToolUse use = ToolUse::finds_gouges) {
+    return measured(diameter_mm, use).assumptions.front();
+  };
+  EXPECT_EQ(fact(10.003).basis, Basis::by_default);
+  EXPECT_EQ(fact(10.003).evidence,
+            "T1 is D 10.003 mm by the tool table l.tbl but D 10 mm by the library, which is what is checked; the radii "
+            "differ by 0.0015 mm");
+  EXPECT_EQ(fact(10.0005).basis, Basis::derived);
+  EXPECT_EQ(fact(10.02).basis, Basis::by_default);
+  EXPECT_EQ(fact(10.022).basis, Basis::contradicted);
+  EXPECT_EQ(fact(10.022).evidence,
+            "T1 is D 10.022 mm by the tool table l.tbl but D 10 mm by the library, which is what is checked");
+  EXPECT_EQ(fact(9.98).basis, Basis::derived) << "it hides no gouge";
+  EXPECT_EQ(measured(9.98, ToolUse::finds_gouges).notes.front().code, "tool-differs");
+  EXPECT_EQ(fact(9.98, ToolUse::removes_stock).basis, Basis::by_default);
+  EXPECT_EQ(fact(9.97, ToolUse::removes_stock).basis, Basis::contradicted);
+}
+
 TEST(CompareTools, AHolderAboveTheStatedToolIsADefault) {
   const auto basis = [&](const std::string& tldata, double stickout_mm) {
     const ToolLibrary library = library_of({end_mill(stickout_mm)});

@@ -389,12 +389,16 @@ TEST(GcodeWords, GiveEachToolItsLengthAndDiameter) {
   ProgramSetup setup;
   setup.lengths_mm = {{1, 100}, {2, 60}};
   setup.diameters_mm = {{2, 12}};
+  setup.tool_table = "l.tbl";
   const Toolpath path = path_of_program(program("T2 M6\nG43 H2 G0 X0. Y0.\nZ9.\nG1 X5. F9.\n"), "haas", setup);
   ASSERT_EQ(path.tools.size(), 2U);
   EXPECT_EQ(path.tools[0].gauge_length_mm, 100);
   EXPECT_EQ(path.tools[1].gauge_length_mm, 60);
   EXPECT_EQ(path.tools[0].stated_diameter_mm, 0);
   EXPECT_EQ(path.tools[1].stated_diameter_mm, 12);
+  EXPECT_EQ(path.tools[1].in_table.file, "l.tbl");
+  EXPECT_TRUE(path.tools[1].in_table.has_diameter);
+  EXPECT_FALSE(path.tools[0].in_table.has_diameter);
 }
 
 TEST(GcodeWords, OfNegativeLengthsStateDifferencesAlone) {
