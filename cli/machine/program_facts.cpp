@@ -173,6 +173,7 @@ void take_tool_table(ToolTable table, ProgramSetup& setup) {
   setup.tool_table = std::move(table.file);
   setup.lengths_mm = std::move(table.lengths_mm);
   setup.diameters_mm = std::move(table.diameters_mm);
+  setup.corners_mm = std::move(table.corners_mm);
 }
 
 }  // namespace gouge

@@ -38,6 +38,16 @@ std::string size_text(double diameter_mm, LengthUnit unit) {
   return "D " + rounded_text(diameter_mm, unit) + " " + unit_name(unit);
 }
 
+// Returns whether one radius describes the lower end of a cutter, as R2 of a tool table does.
+bool has_corner_alone(const Cutter& cutter) {
+  if (const auto* stated = std::get_if<AptCutter>(&cutter))
+    return !(std::abs(stated->alpha_deg) > 0) && stated->r_mm <= stated->d_mm / 2 + Tolerance::kFilePoint_mm;
+  return std::holds_alternative<FlatCutter>(cutter) || std::holds_alternative<BallCutter>(cutter) ||
+         std::holds_alternative<BullNoseCutter>(cutter) || std::holds_alternative<TaperedCutter>(cutter) ||
+         std::holds_alternative<LollipopCutter>(cutter) || std::holds_alternative<TSlotCutter>(cutter) ||
+         std::holds_alternative<DovetailCutter>(cutter) || std::holds_alternative<FaceMillCutter>(cutter);
+}
+
 class Comparer {
  public:
   Comparer(const PathTool& tool, const ToolAssembly& known, const Toolpath& path, const ToolSetUp& set_up)
@@ -58,9 +68,9 @@ class Comparer {
     compare_names(tool_.name);
     for (const std::string& name : tool_.other_names) compare_names(name);
     const auto [diameter, corner] = nominal_size(known_.cutter);
-    if (tool_.in_table.has_diameter)
-      compare_with_table(diameter);
-    else if (tool_.stated_diameter_mm > 0 && std::abs(diameter - tool_.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
+    compare_with_table({diameter, corner});
+    if (!tool_.in_table.has_diameter && tool_.stated_diameter_mm > 0 &&
+        std::abs(diameter - tool_.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
       return report_difference(size_text(tool_.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit),
                                diameter < tool_.stated_diameter_mm);
     }
@@ -76,18 +86,43 @@ class Comparer {
                       is_smaller);
   }
 
-  // Compares the tool with a measured one of the control's tool table.
-  void compare_with_table(double diameter) {
-    const double gap = (tool_.stated_diameter_mm - diameter) / 2;
-    if (2 * std::abs(gap) <= Tolerance::kFilePoint_mm) return;
-    const bool hides_gouge = gap > 0 || set_up_.use == ToolUse::removes_stock;
-    const std::string message = name_of(tool_) + " is " + size_text(tool_.stated_diameter_mm, path_.unit) +
-                                " by the tool table " + tool_.in_table.file + " but " +
-                                size_text(diameter, path_.unit) + " by the library, which is what is checked";
-    if (!hides_gouge) return warn(message + "; correct the library or --tool if another tool is meant");
-    if (std::abs(gap) > kMeasuredRadius_mm + Tolerance::kRounding_mm) return contradict(message);
-    add_doubt(message + "; the radii differ by " + rounded_text(std::abs(gap), path_.unit) + " " +
-              unit_name(path_.unit));
+  // Compares the tool with the one of the control's tool table, which holds measured radii.
+  void compare_with_table(const NominalSize& known) {
+    const TableTool& stated = tool_.in_table;
+    const double wider = stated.has_diameter ? tool_.stated_diameter_mm / 2 - known.diameter_mm / 2 : 0;
+    const double sharper = known.corner_radius_mm - table_corner_mm(known.corner_radius_mm);
+    if (2 * std::abs(wider) <= Tolerance::kFilePoint_mm && std::abs(sharper) <= Tolerance::kFilePoint_mm) return;
+    // The radius of the flat bottom differs by both together. Between bottom and side, the tools differ by less.
+    const double reach = std::max(wider, wider + sharper), excess = std::max(-wider, -wider - sharper);
+    const double hidden = set_up_.use == ToolUse::removes_stock ? std::max(reach, excess) : reach;
+    const bool has_other_corner = std::abs(sharper) > Tolerance::kFilePoint_mm;
+    const std::string message =
+        name_of(tool_) + " is " +
+        table_text(tool_.stated_diameter_mm, known.corner_radius_mm - sharper, has_other_corner) +
+        " by the tool table " + stated.file + " but " +
+        table_text(known.diameter_mm, known.corner_radius_mm, has_other_corner) +
+        " by the library, which is what is checked";
+    if (2 * hidden <= Tolerance::kFilePoint_mm)
+      return warn(message + "; correct the library or --tool if another tool is meant");
+    if (hidden > kMeasuredRadius_mm + Tolerance::kRounding_mm) return contradict(message);
+    add_doubt(message + "; the radii differ by up to " + length(hidden));
+  }
+
+  [[nodiscard]] std::string table_text(double diameter_mm, double corner_mm, bool has_corner) const {
+    if (!has_corner) return size_text(diameter_mm, path_.unit);
+    if (tool_.in_table.has_diameter) return size_text(diameter_mm, corner_mm, path_.unit);
+    return "R2 " + rounded_text(corner_mm, path_.unit) + " " + unit_name(path_.unit);
+  }
+
+  // Returns the corner radius in the tool table; that of the library where there is none to compare. Many tables leave it
+  // at 0, so 0 is a doubt.
+  [[nodiscard]] double table_corner_mm(double known_mm) {
+    const std::optional<double>& stated = tool_.in_table.corner_mm;
+    if (!stated || !has_corner_alone(known_.cutter)) return known_mm;
+    if (*stated > 0 || known_mm <= Tolerance::kFilePoint_mm) return *stated;
+    add_doubt(name_of(tool_) + " has the corner radius R2 0 in the tool table " + tool_.in_table.file + ", but " +
+              length(known_mm) + " by the library, which is what is checked");
+    return known_mm;
   }
 
   // Compares a name, and the part before its first comma: some writers state the name and a comment.

@@ -52,8 +52,9 @@ struct CutterStatement : AptCutter {
 
 /// Facts about a tool in a tool table of the control.
 struct TableTool {
-  std::string file = {};      ///< of the table; empty: it states none
-  bool has_diameter = false;  ///< PathTool::stated_diameter_mm is that of the table
+  std::string file = {};                 ///< of the table; empty: it states none
+  bool has_diameter = false;             ///< PathTool::stated_diameter_mm is that of the table
+  std::optional<double> corner_mm = {};  ///< corner radius; many tables leave it at 0
 };
 
 /// A tool as the toolpath states it.

@@ -64,6 +64,8 @@ class TableReader {
     delta_ = find_column(heading, "DL");
     radius_ = find_column(heading, "R");
     radius_delta_ = find_column(heading, "DR");
+    corner_ = find_column(heading, "R2");
+    corner_delta_ = find_column(heading, "DR2");
     if (!tool_.is_there() || !length_.is_there()) return wrong("the heading of the table has no T or no L");
     while (!text_.empty()) {
       const std::string_view row = next();
@@ -90,10 +92,18 @@ class TableReader {
     const auto tool = parse_integer(number);
     const auto stated = cell_value(length), delta = cell_value(delta_.of(row));
     const auto radius = cell_value(radius_.of(row)), radius_delta = cell_value(radius_delta_.of(row));
-    if (!tool || *tool < 0 || *tool > kMaxTool || !stated || !delta || !radius || !radius_delta)
-      return "'" + std::string(row.substr(0, 40)) + "' is no row of the table";
-    const bool is_first = table_.lengths_mm.emplace(static_cast<int>(*tool), (*stated + *delta) * mm_).second;
-    if (*radius > 0) table_.diameters_mm[static_cast<int>(*tool)] = 2 * (*radius + *radius_delta) * mm_;
+    const auto corner = cell_value(corner_.of(row)), corner_delta = cell_value(corner_delta_.of(row));
+    if (!tool || *tool < 0 || *tool > kMaxTool || !stated || !delta || !radius || !radius_delta || !corner ||
+        !corner_delta)
+      return "'" + std::string(row.substr(0, 40)) +
+             "' is no row of the table; expected numbers below T, L, R, R2, DL, DR and DR2";
+    const int id = static_cast<int>(*tool);
+    const bool is_first = table_.lengths_mm.emplace(id, (*stated + *delta) * mm_).second;
+    if (*radius > 0) table_.diameters_mm[id] = 2 * (*radius + *radius_delta) * mm_;
+    // Where R and R2 are 0, the cutter is not filled in.
+    const double corner_sum = *corner + *corner_delta;
+    if (!corner_.of(row).empty() && (*radius > 0 || corner_sum > 0))
+      table_.corners_mm[id] = std::max(corner_sum, 0.0) * mm_;
     return is_first ? "" : "tool " + std::to_string(*tool) + " occurs twice; expected each tool once";
   }
 
@@ -101,7 +111,7 @@ class TableReader {
   std::string_view text_;
   std::size_t line_ = 0;
   double mm_ = 1;
-  Column tool_, length_, delta_, radius_, radius_delta_;
+  Column tool_, length_, delta_, radius_, radius_delta_, corner_, corner_delta_;
   ToolTable table_;
 };
 

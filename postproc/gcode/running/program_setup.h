@@ -43,6 +43,7 @@ struct ToolTable {
   std::string file;                    ///< of the table
   std::map<int, double> lengths_mm;    ///< NaN: kSidewaysLength
   std::map<int, double> diameters_mm;  ///< of tools for which the table states one
+  std::map<int, double> corners_mm;    ///< corner radii, likewise
 };
 
 /// Facts about a program that are not in its file. What is absent is not known, and never zero.
@@ -55,6 +56,7 @@ struct ProgramSetup {
   std::map<std::string, WorkOffset> offsets;  ///< by name: "G54", "G54.1P3"
   std::map<int, double> lengths_mm;           ///< length of each tool by its number, and of H; NaN: kSidewaysLength
   std::map<int, double> diameters_mm;         ///< of tools by their numbers, to be compared with those of a library
+  std::map<int, double> corners_mm;           ///< corner radii, likewise
   std::string tool_table;                     ///< the file that states them
   std::optional<double> tool_length_mm;       ///< of every tool
   std::string start;                          ///< blocks in force at the start, in the language of the control

@@ -308,10 +308,14 @@ void ProgramMotion::note_height_of_change(const PathTool& next) {
 
 // Adds the facts of the tool table that the program does not state.
 void ProgramMotion::take_table(PathTool& tool) const {
-  const auto diameter = tool.number ? setup_.diameters_mm.find(*tool.number) : setup_.diameters_mm.end();
+  if (!tool.number) return;
+  tool.in_table.file = setup_.tool_table;
+  if (const auto corner = setup_.corners_mm.find(*tool.number); corner != setup_.corners_mm.end())
+    tool.in_table.corner_mm = corner->second;
+  const auto diameter = setup_.diameters_mm.find(*tool.number);
   if (diameter == setup_.diameters_mm.end() || tool.stated_diameter_mm > 0) return;
   tool.stated_diameter_mm = diameter->second;
-  tool.in_table = {.file = setup_.tool_table, .has_diameter = true};
+  tool.in_table.has_diameter = true;
 }
 
 void ProgramMotion::change_tool(const PathTool& tool) {

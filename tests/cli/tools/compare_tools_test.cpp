@@ -171,14 +171,16 @@ TEST(CompareTools, ALoadedLengthIsNotShorterThanTheStickOut) {
       << "a writer that states the length of the cutter";
 }
 
-/// The tools of a path whose only tool is in a tool table, with the library's end mill.
-ResolvedTools measured(double diameter_mm, ToolUse use) {
-  static const ToolLibrary library = library_of({end_mill(75)});
+/// The tools of a path whose only tool is in a tool table, with the library's end mill or another cutter.
+ResolvedTools measured(double diameter_mm, ToolUse use, std::optional<double> corner_mm = {},
+                       const Cutter& cutter = FlatCutter{10, 30}) {
+  ToolLibrary library = library_of({end_mill(75)});
+  library.tools.front().cutter = cutter;
   Toolpath path;
   PathTool& tool = path.tools.emplace_back();
   tool.number = 1;
   tool.stated_diameter_mm = diameter_mm;
-  tool.in_table = {.file = "l.tbl", .has_diameter = true};
+  tool.in_table = {.file = "l.tbl", .has_diameter = diameter_mm > 0, .corner_mm = corner_mm};
   path.moves.emplace_back().tool = 0;
   return *resolve_tools(path, &library, {}, "", use);
 }
@@ -190,7 +192,7 @@ TEST(CompareTools, AMeasuredDiameterThatDiffersLittleIsADefault) {
   EXPECT_EQ(fact(10.003).basis, Basis::by_default);
   EXPECT_EQ(fact(10.003).evidence,
             "T1 is D 10.003 mm by the tool table l.tbl but D 10 mm by the library, which is what is checked; the radii "
-            "differ by 0.0015 mm");
+            "differ by up to 0.0015 mm");
   EXPECT_EQ(fact(10.0005).basis, Basis::derived);
   EXPECT_EQ(fact(10.02).basis, Basis::by_default);
   EXPECT_EQ(fact(10.022).basis, Basis::contradicted);
@@ -200,6 +202,41 @@ TEST(CompareTools, AMeasuredDiameterThatDiffersLittleIsADefault) {
   EXPECT_EQ(measured(9.98, ToolUse::finds_gouges).notes.front().code, "tool-differs");
   EXPECT_EQ(fact(9.98, ToolUse::removes_stock).basis, Basis::by_default);
   EXPECT_EQ(fact(9.97, ToolUse::removes_stock).basis, Basis::contradicted);
+}
+
+TEST(CompareTools, ACornerRadiusOfATableIsComparedWhereItsCutterMayBeWider) {
+  const auto basis = [](const Cutter& cutter, double diameter_mm, std::optional<double> corner_mm,
+                        ToolUse use = ToolUse::finds_gouges) {
+    return measured(diameter_mm, use, corner_mm, cutter).assumptions.front().basis;
+  };
+  const BallCutter ball{10, 30};
+  const BullNoseCutter bull{10, 2, 30};
+  EXPECT_EQ(basis(ball, 10, 5), Basis::derived);
+  EXPECT_EQ(basis(ball, 10, {}), Basis::derived) << "the table states no corner";
+  EXPECT_EQ(basis(ball, 10, 4), Basis::contradicted);
+  EXPECT_EQ(basis(ball, 10, 4.995), Basis::by_default);
+  EXPECT_EQ(basis(ball, 9.99, 4.995), Basis::derived) << "a ball within the ball";
+  EXPECT_EQ(basis(ball, 10.01, 5.005), Basis::by_default);
+  EXPECT_EQ(basis(bull, 10, 1), Basis::contradicted);
+  EXPECT_EQ(basis(bull, 0, 1), Basis::contradicted) << "a table without R";
+  EXPECT_EQ(basis(bull, 10, 3), Basis::derived) << "it hides no gouge";
+  EXPECT_EQ(basis(bull, 10, 3, ToolUse::removes_stock), Basis::contradicted);
+  EXPECT_EQ(basis(FlatCutter{10, 30}, 10, 3, ToolUse::removes_stock), Basis::contradicted);
+  EXPECT_EQ(basis(FlatCutter{10, 30}, 10, 0, ToolUse::removes_stock), Basis::derived);
+  EXPECT_EQ(basis(DrillCutter{10, 118, 30}, 10, 3, ToolUse::removes_stock), Basis::derived) << "a tip without a corner";
+  EXPECT_EQ(measured(10, ToolUse::finds_gouges, 1, bull).assumptions.front().evidence,
+            "T1 is D 10 R 1 mm by the tool table l.tbl but D 10 R 2 mm by the library, which is what is checked");
+}
+
+TEST(CompareTools, ACornerRadiusThatATableLeavesAtZeroIsADefault) {
+  const auto fact = [](const Cutter& cutter, double diameter_mm) {
+    return measured(diameter_mm, ToolUse::finds_gouges, 0, cutter).assumptions.front();
+  };
+  EXPECT_EQ(fact(BallCutter{10, 30}, 10).basis, Basis::by_default);
+  EXPECT_EQ(fact(BallCutter{10, 30}, 10).evidence,
+            "T1 has the corner radius R2 0 in the tool table l.tbl, but 5 mm by the library, which is what is checked");
+  EXPECT_EQ(fact(BullNoseCutter{10, 2, 30}, 10).basis, Basis::by_default);
+  EXPECT_EQ(fact(BullNoseCutter{10, 2, 30}, 11).basis, Basis::contradicted);
 }
 
 TEST(CompareTools, AHolderAboveTheStatedToolIsADefault) {

@@ -36,6 +36,23 @@ TEST(HeidenhainToolTable, HasTheDiametersOfItsTools) {
   EXPECT_DOUBLE_EQ(table->diameters_mm.at(12), 6);
 }
 
+TEST(HeidenhainToolTable, HasTheCornerRadiiOfItsTools) {
+  const auto corners = [](const std::string& row, const std::string& heading = "R2") {
+    const auto table = table_of("BEGIN TOOL.T MM\nT  L     R     " + heading + "    DR2\n" + row + "\n[END]\n");
+    EXPECT_TRUE(table) << row;
+    return table ? table->corners_mm : std::map<int, double>();
+  };
+  using Corners = std::map<int, double>;
+  EXPECT_EQ(corners("1  90    5     2     0.25"), (Corners{{1, 2.25}}));
+  EXPECT_EQ(corners("1  90    5     0"), (Corners{{1, 0}}));
+  EXPECT_EQ(corners("1  90    5     0     -0.25"), (Corners{{1, 0}}));
+  EXPECT_EQ(corners("1  90    0     2"), (Corners{{1, 2}}));
+  EXPECT_EQ(corners("1  90    0     0"), Corners()) << "not filled in";
+  EXPECT_EQ(corners("1  90    5"), Corners());
+  EXPECT_EQ(corners("1  90    5     2", "XX"), Corners());
+  EXPECT_EQ(table_of(kTable)->corners_mm, (Corners{{1, 0}, {12, 3}}));
+}
+
 TEST(HeidenhainToolTable, IsInItsUnit) {
   std::string text = kTable;
   text.replace(text.find("MM"), 2, "INCH");
@@ -65,6 +82,7 @@ TEST(HeidenhainToolTable, IsRefusedWithItsLine) {
   expect_wrong("12    BALL", "1     BALL", 7);
   expect_wrong("[END]", "", 8);
   expect_wrong("-0.02", "-0,02", 4);
+  expect_wrong("+3       +3", "+3       +z", 7);
 }
 
 }  // namespace
