@@ -42,6 +42,14 @@ Column find_column(std::string_view heading, std::string_view name) {
   return {};
 }
 
+/// Returns the value that runs across the beginning of a column; empty: none does.
+std::string_view value_across(std::string_view row, std::size_t border) {
+  const auto is_filled = [&](std::size_t at) { return at < row.size() && row[at] != ' ' && row[at] != '\t'; };
+  if (border == 0 || !is_filled(border - 1) || !is_filled(border)) return {};
+  const std::size_t begin = row.find_last_of(" \t", border) + 1;
+  return row.substr(begin, row.find_first_of(" \t", border) - begin);
+}
+
 /// Returns the value of a cell; 0 where it is empty. None: it is no number.
 std::optional<double> cell_value(std::string_view cell) {
   if (cell.empty()) return 0;
@@ -85,7 +93,20 @@ class TableReader {
     return make_error("tool-lengths", reason, file_, line_);
   }
 
+  /// Returns the reason why the values of a row do not stand in their columns; empty: they do.
+  [[nodiscard]] std::string why_misaligned(std::string_view row) const {
+    for (const Column* column : {&tool_, &length_, &delta_, &radius_, &radius_delta_, &corner_, &corner_delta_}) {
+      if (!column->is_there()) continue;
+      for (const std::size_t border : {column->begin, column->end})
+        if (const std::string_view value = value_across(row, border); !value.empty())
+          return "'" + std::string(value.substr(0, 40)) +
+                 "' stands in two columns of the table; expected each value below the word of its heading";
+    }
+    return {};
+  }
+
   std::string take(std::string_view row) {
+    if (std::string reason = why_misaligned(row); !reason.empty()) return reason;
     const std::string_view number = tool_.of(row), length = length_.of(row);
     const bool is_index = number.find('.') != std::string_view::npos;
     if (is_index || length.empty()) return {};  // a further length of a tool, or a place without one

@@ -85,5 +85,17 @@ TEST(HeidenhainToolTable, IsRefusedWithItsLine) {
   expect_wrong("+3       +3", "+3       +z", 7);
 }
 
+TEST(HeidenhainToolTable, HasNoValueThatStandsInTwoColumns) {
+  const std::string begin = "BEGIN TOOL.T MM\nT    NAME      L        R     DL    DR    TL\n";
+  const auto table = table_of(begin + "1    MILL      +110     +5    +0       +2.5\n[END]\n");
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().line, 3U);
+  EXPECT_EQ(table.error().message,
+            "'+2.5' stands in two columns of the table; expected each value below the word of its heading");
+  EXPECT_FALSE(table_of(begin + "1    A MILL OF10       +5    +0    +2.5\n[END]\n")) << "a name that ends in L";
+  EXPECT_TRUE(table_of(begin + "1    A MILL OF +110     +5    +0.02 +2.5  LOCKED AND LONG\n[END]\n"));
+  EXPECT_TRUE(table_of(begin + "1    MILL      +110     +5    +0    +2.5\n[END]\n"));
+}
+
 }  // namespace
 }  // namespace gouge::tool_table_test
