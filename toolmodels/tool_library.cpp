@@ -37,6 +37,39 @@ const ToolAssembly* ToolLibrary::called(std::string_view name) const {
   return number ? with_number(*number) : nullptr;
 }
 
+namespace {
+
+// Returns the tool with the number that `name` states, if another tool has this name; else null.
+const ToolAssembly* other_with_number(const ToolLibrary& library, std::string_view name) {
+  const auto number = tool_number(name);
+  const ToolAssembly* const by_number = number ? library.with_number(*number) : nullptr;
+  const ToolAssembly* const by_name = library.with_name(name);
+  return by_name == nullptr || by_name == by_number ? nullptr : by_number;
+}
+
+// Returns a text that means this tool alone: its name, or else its number. Empty: there is none.
+std::string sure_name(const ToolLibrary& library, const ToolAssembly& tool) {
+  const std::string number = tool.number ? std::to_string(*tool.number) : "";
+  for (const std::string& text : {tool.name, number, number.empty() ? number : "T" + number})
+    if (!text.empty() && library.called(text) == &tool && other_with_number(library, text) == nullptr) return text;
+  return {};
+}
+
+std::string choice_text(const ToolLibrary& library, const ToolAssembly& tool) {
+  const std::string name = sure_name(library, tool);
+  return name.empty() ? "another name in the library" : "'" + name + "'";
+}
+
+}  // namespace
+
+std::string ToolLibrary::two_tools_called(std::string_view name) const {
+  const ToolAssembly* const by_number = other_with_number(*this, name);
+  if (by_number == nullptr) return {};
+  const ToolAssembly& by_name = *with_name(name);
+  return "the number of " + label(*by_number) + " and the name of " + label(by_name) + "; expected " +
+         choice_text(*this, *by_number) + " for the first, or " + choice_text(*this, by_name) + " for the second";
+}
+
 std::string uncertainty_of_owner(const NamedHolder& holder) {
   return holder.uncertainty.empty() ? std::string() : "holder \"" + holder.name + "\": " + holder.uncertainty;
 }

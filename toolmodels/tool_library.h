@@ -46,6 +46,9 @@ struct ToolLibrary {
   [[nodiscard]] bool is_shared_name(std::string_view name) const;
   /// Returns the tool that a user means by `name`: the one with that name, else with that number, written 3 or T3.
   [[nodiscard]] const ToolAssembly* called(std::string_view name) const;
+  /// Returns the two tools of which `name` is the name of one and the number of the other, and how to choose between them.
+  /// Empty: it means one tool at most.
+  [[nodiscard]] std::string two_tools_called(std::string_view name) const;
   /// Returns the holder with this name, or that of the tool with this name, which is as uncertain as the tool. Returns
   /// nothing if there is neither.
   [[nodiscard]] std::optional<NamedHolder> holder_called(std::string_view name) const;

@@ -37,6 +37,8 @@ Result<Tools> choose(const ToolLibrary& library, const std::string& wanted) {
   if (tool == nullptr)
     return make_error("usage", "--tool '" + wanted + "': " + library.file +
                                    " has no tool of that number or name; see gougecheck tool list");
+  if (const std::string two = library.two_tools_called(wanted); !two.empty())
+    return make_error("usage", "--tool '" + wanted + "': in " + library.file + " it is " + two);
   return Tools{tool};
 }
 

@@ -59,6 +59,8 @@ std::string names_in(const gouge::ToolLibrary& library) {
 
 const gouge::ToolAssembly& tool_called(const gouge::ToolLibrary& library, std::string_view name) {
   if (name.empty() && library.tools.size() == 1) return library.tools.front();
+  if (const std::string two = library.two_tools_called(name); !two.empty())
+    raise(gouge::make_error("library-which", "'" + std::string(name) + "' is " + two, library.file));
   if (const gouge::ToolAssembly* tool = name.empty() ? nullptr : library.called(name)) return *tool;
   const std::string asked = name.empty() ? "several tools and no name" : "no tool called '" + std::string(name) + "'";
   raise(gouge::make_error("library-which", asked + "; expected the name or number of one of " + names_in(library),
@@ -148,7 +150,9 @@ ToolLibrary::ToolLibrary(const std::vector<Tool>& tools) {
 
 ToolLibrary ToolLibrary::empty() { return ToolLibrary(std::make_shared<Content>()); }
 
-bool ToolLibrary::has(std::string_view name) const { return content_->library.called(name) != nullptr; }
+bool ToolLibrary::has(std::string_view name) const {
+  return content_->library.called(name) != nullptr && content_->library.two_tools_called(name).empty();
+}
 std::vector<Note> ToolLibrary::notes() const { return to_notes(content_->library.notes); }
 std::string ToolLibrary::to_json() const { return gouge::write_tool_library(content_->library); }
 

@@ -51,11 +51,14 @@ class Resolver {
           "alone");
     }
     if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
-    const ToolAssembly* tool = library_->called(is_for_unnamed ? text : text.substr(equals + 1));
+    const std::string name = is_for_unnamed ? text : text.substr(equals + 1);
+    const ToolAssembly* tool = library_->called(name);
     if (tool == nullptr) {
       return usage("--tool '" + text + "': the library has no tool of that name or number; it has " +
                    names_in(*library_));
     }
+    if (const std::string two = library_->two_tools_called(name); !two.empty())
+      return usage("--tool '" + text + "': in " + library_->file + ", '" + name + "' is " + two);
     if (is_for_unnamed) {
       unnamed_ = {text, tool};
     } else if (const std::string key = key_of(text.substr(0, equals)); !named_.emplace(key, tool).second) {

@@ -87,6 +87,25 @@ TEST(ToolLibrary, HoldersHaveNamesOrBelongToTools) {
   EXPECT_FALSE(library->holder_called("c").has_value());
 }
 
+TEST(ToolLibrary, ATextMayBeTheNameOfOneToolAndTheNumberOfAnother) {
+  const auto tool = [](std::optional<int> number, const std::string& name) {
+    ToolAssembly one;
+    one.number = number;
+    one.name = name;
+    return one;
+  };
+  ToolLibrary library;
+  library.tools = {tool(6, "A"), tool(3, "6"), tool(1, "1"), tool(2, "")};
+  EXPECT_EQ(library.two_tools_called("6"),
+            "the number of T6 \"A\" and the name of T3 \"6\"; expected 'A' for the first, or '3' for the second");
+  for (const char* one : {"A", "T6", "3", "1", "2", "7", "B"}) EXPECT_EQ(library.two_tools_called(one), "") << one;
+  library.tools = {tool(6, ""), tool({}, "6")};
+  EXPECT_EQ(
+      library.two_tools_called("6"),
+      "the number of T6 and the name of \"6\"; expected 'T6' for the first, or another name in the library for the "
+      "second");
+}
+
 /// The uncertainty of T1 of a library with these holders, T1's key "holder", and these keys beside "tools".
 std::string uncertainty(const std::string& holders, const std::string& holder, const std::string& beside = "") {
   const Result<ToolLibrary> library =

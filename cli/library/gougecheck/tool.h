@@ -69,7 +69,8 @@ class GOUGECHECK_EXPORT ToolLibrary {
   [[nodiscard]] static ToolLibrary empty();
 
   [[nodiscard]] std::vector<Tool> tools() const;
-  /// Returns a tool by name, or by number written 3 or T3. Throws Error, library-which, if there is none.
+  /// Returns a tool by name, or by number written 3 or T3. Throws Error, library-which, if there is none, or if it is the
+  /// name of one tool and the number of another.
   [[nodiscard]] Tool tool(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const;  ///< whether `tool` returns one
   [[nodiscard]] std::vector<Note> notes() const;        ///< what the reader assumed or left out

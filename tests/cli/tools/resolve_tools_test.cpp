@@ -460,6 +460,26 @@ TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   EXPECT_EQ(twice.error().message, "--tool 'T7=2': tool T7 of the toolpath has one already; expected each tool once");
 }
 
+TEST(ResolveTools, ATextThatMeansTwoToolsOfTheLibraryIsRefused) {
+  ToolLibrary library = library_with_holder();
+  library.file = "tools.json";
+  library.tools.push_back(library.tools.front());
+  library.tools.back().number = 3;
+  library.tools.front().name = "A";
+  library.tools.back().name = "2";
+  const Toolpath path = path_in(LengthUnit::mm);
+  for (const std::string text : {"2", "7=2"}) {
+    const Result<ResolvedTools> two = resolve_tools(path, &library, {text}, "");
+    ASSERT_FALSE(two.has_value()) << text;
+    EXPECT_EQ(two.error().code, "usage");
+    EXPECT_EQ(two.error().message, "--tool '" + text +
+                                       "': in tools.json, '2' is the number of T2 \"A\" and the name of T3 \"2\"; "
+                                       "expected 'A' for the first, or '3' for the second");
+  }
+  for (const std::string text : {"7=A", "7=3", "7=T2"})
+    EXPECT_TRUE(resolve_tools(path, &library, {text}, "").has_value()) << text;
+}
+
 TEST(ResolveTools, AnUnknownHolderIsReportedWithTheHoldersThereAre) {
   ToolLibrary library = library_with_holder();
   const auto reported = [&] { return resolve_tools(path_in(LengthUnit::mm), &library, {}, "ER16").error().message; };
