@@ -129,6 +129,7 @@ TEST(PathConvert, KeepsMotionToolsAndArcsOnTheWayThroughOtherDialects) {
     EXPECT_NEAR(after.at("feed_length").get<double>(), before.at("feed_length").get<double>(), 1e-3) << dialect;
     const Outcome checked = run_gougecheck(sample.path, sample.arguments("check", "other"));
     EXPECT_EQ(checked.exit_status, 1) << dialect << checked.err;
+    EXPECT_EQ(checked.out.find("dialect (contradicted)"), std::string::npos) << dialect << checked.out;
     EXPECT_NE(checked.out.find("0.214 mm"), std::string::npos) << dialect << checked.out;
   }
 }

@@ -16,7 +16,7 @@ constexpr std::size_t kBytesOfLineLookedAt = 200;
 enum class Where {
   line_start,
   in_comment,
-  at_start,        // in one of the first two lines: Autodesk's post states the mode there, after a MACHIN
+  at_start,        // in one of the first two lines: Autodesk's posts state the mode there, after a MACHIN
   without_partno,  // only in files without a PARTNO, which NX never writes
 };
 
@@ -24,6 +24,7 @@ struct Mark {
   std::string_view text;  // in capitals, without blanks
   DialectKind kind;
   Where where = Where::line_start;
+  DialectKind also = kind;  // another dialect whose files have it, besides marks of their own
 };
 
 // In order of reliability: the first mark of this list that occurs in the file's first lines decides.
@@ -43,7 +44,7 @@ constexpr std::array<Mark, 21> kMarks = {{
     {"CSI_SET_EXTENSION_LENGTH/", DialectKind::solidworks_cam},
     {"MOVARC/CENTER", DialectKind::mori},
     {"MOVARC/", DialectKind::autodesk},
-    {"MODE/MILL", DialectKind::autodesk, Where::at_start},
+    {"MODE/MILL", DialectKind::autodesk, Where::at_start, DialectKind::camplete},
     {"OPNAME/", DialectKind::mori},
     {"TLDATA/", DialectKind::nx_clsf, Where::without_partno},
     {"END-OF-PATH", DialectKind::nx_clsf, Where::without_partno},
@@ -100,7 +101,7 @@ FirstLines look_at(std::string_view bytes) {
 // Notes the first mark of another dialect. No known writer has marks of two.
 Dialect with_other_mark(Dialect dialect, const FirstLines& found) {
   for (std::size_t i = 0; i < kMarks.size(); ++i) {
-    if (kMarks[i].kind == dialect.kind || !counts(found, i)) continue;
+    if (kMarks[i].kind == dialect.kind || kMarks[i].also == dialect.kind || !counts(found, i)) continue;
     if (dialect.other_line > 0 && found.first_line[i] >= dialect.other_line) continue;
     dialect.other_id = dialect_of(kMarks[i].kind).id;
     dialect.other_line = found.first_line[i];

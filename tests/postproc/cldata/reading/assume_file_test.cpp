@@ -86,6 +86,16 @@ TEST(AssumeFile, MarksOfTwoDialectsContradictEachOther) {
       << "two marks of one dialect";
 }
 
+TEST(AssumeFile, TheModeIsAMarkOfBothPostsOfAutodesk) {
+  const std::string head = "MODE/MILL\nPARTNO/'A'\nUNITS/MM\nMULTAX/OFF\n";
+  const std::string frame = "MCS/1,0,0,$\n0,1,0,$\n0,0,1,$\n0,0,0\n", end = "GOTO/1,2,3\nFINI\n";
+  EXPECT_EQ(fact_in(head + end, Subject::dialect).value, "apt-autodesk");
+  EXPECT_EQ(fact_in(head + frame + end, Subject::dialect).value, "apt-camplete");
+  EXPECT_EQ(fact_in(head + frame + end, Subject::dialect).basis, Basis::derived);
+  EXPECT_EQ(fact_in(head + frame + "MOVARC/0,0,0,0,0,1,5,ANGLE,90\n" + end, Subject::dialect).basis,
+            Basis::contradicted);
+}
+
 TEST(AssumeFile, WordsThatAreNotUnderstoodAreNamed) {
   EXPECT_EQ(fact_in("UNITS/MM\nCOOLNT/ON\nGOTO/1,2,3\nFINI\n", Subject::statements).basis, Basis::derived);
   const Assumption unknown = fact_in("UNITS/MM\nGOTO/1,2,3\nFROBNI\nFROBNI\nFINI\n", Subject::statements);
