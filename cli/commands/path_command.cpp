@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/job/scene_files.h"
+#include "cli/machine/rapid_notes.h"
 #include "cli/options/command_doc.h"
 #include "cli/options/job_options.h"
 #include "cli/output/json_text.h"
@@ -218,12 +219,14 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
 }
 
-int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
+int run_convert(const PathArguments& arguments, const Toolpath& path, const Machine* machine, std::ostream& out,
+                std::ostream& err) {
   Result<WrittenToolpath> written = WrittenToolpath{std::string(path.source.view()), {}};
   if (!arguments.to.empty()) written = write_toolpath(path, *dialect_called(arguments.to));
   if (!written) return fail(err, {written.error()});
   print(err, path.notes);
   print(err, written->notes);
+  if (machine != nullptr && !arguments.to.empty()) print(err, find_lost_rapids(*machine, path));
   const Outcome outcome = write_output(arguments.output, written->bytes, out);
   return outcome ? kExitClean : fail(err, {outcome.error()}, kExitInternal);
 }
@@ -344,7 +347,7 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   const ReadOutcome outcome = reader->read(arguments.path);
   if (!outcome.toolpath) return fail(err, outcome.errors);
   if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);
-  if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, out, err);
+  if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, reader->machine(), out, err);
   return run_plot(arguments, *place, *outcome.toolpath, *is_svg, err);
 }
 

@@ -114,6 +114,30 @@ TEST(PathConvert, WithoutATargetIsTheIdentityOnRealFilesOrRefusesWhatIsNoClData)
   EXPECT_EQ(refused, 5U);  // three part programs, a table of words, a file without motion
 }
 
+TEST(PathConvert, WarnsOfRapidsThatRunAxisByAxis) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/c.nc",
+             "G17 G21 G90 G40 G49 G80 G94\nG0 B0. C0.\nT1 M6\nG0 X-20. Y50.\nG43 Z50. H1\nG0 Z5.\nG1 X50. F500.\n"
+             "G0 X120. Y-20. Z1.\nG0 X20. Y0.\nG0 Z50.\nM30\n");
+  const auto converted = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {
+        "path",          "convert", "c.nc", "-o", "c.apt", "--control", "fanuc", "--machine", "preset:haas-umc750",
+        "--tool-length", "100"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome ran = run_gougecheck(folder, all);
+    EXPECT_EQ(ran.exit_status, 0) << ran.err;
+    return ran.err;
+  };
+  const std::string by_rate = converted({"--to", "apt", "--joint-rapid-law", "independent"});
+  EXPECT_NE(
+      by_rate.find("c.nc:8: warning: 2 rapid moves of several axes written as straight: in the program, each axis "
+                   "runs at its own rate; check the output with --rapid dogleg"),
+      std::string::npos)
+      << by_rate;
+  EXPECT_EQ(converted({"--to", "apt", "--joint-rapid-law", "joint"}).find("rapid"), std::string::npos);
+  EXPECT_EQ(converted({"--joint-rapid-law", "independent"}).find("rapid"), std::string::npos) << "a copy";
+}
+
 TEST(PathConvert, KeepsMotionToolsAndArcsOnTheWayThroughOtherDialects) {
   const SampleFolder sample = open_sample("arcs_nx");
   const nlohmann::json before = info(sample.path, sample.toolpath());
