@@ -241,8 +241,10 @@ class Comparer {
   void compare_gauge_lengths() {
     const bool is_stated_for_all = !tool_.gauge_length_mm && path_.tools.size() == 1;
     const std::optional<double> stated = is_stated_for_all ? set_up_.length.mm : tool_.gauge_length_mm;
-    if (!stated || !(known_.gauge_length_mm > 0)) return;
+    if (!stated) return;
     const double slack = is_stated_for_all ? set_up_.length.slack_mm : 0;
+    if (*stated > 0) compare_with_holder(*stated + slack);
+    if (!(known_.gauge_length_mm > 0)) return;
     const double gap = std::abs(*stated - known_.gauge_length_mm) - slack;
     if (gap <= kReach_mm) return;
     const std::string message = name_of(tool_) + " is " + length(*stated) +
@@ -250,6 +252,15 @@ class Comparer {
                                 length(known_.gauge_length_mm) + " by the library";
     if (gap > kMeasured_mm) return contradict(message);
     warn(message + "; its shank and holder are checked as in the library");
+  }
+
+  // Compares the length to the gauge line with the beginning of the holder, which is not above that line.
+  void compare_with_holder(double stated) {
+    const ToolAssembly whole = with_holder();
+    if (whole.holder.empty() || stickout_mm(whole) <= stated + kMeasured_mm) return;
+    contradict(name_of(tool_) + " is " + length(stated) +
+               " long to the gauge line by the stated tool length, but its holder begins at " +
+               length(stickout_mm(whole)) + " by the library, which is what is checked");
   }
 
   // Compares the heights of the holder above the tip. A holder that is lower than the checked one could hide a gouge.

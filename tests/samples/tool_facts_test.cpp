@@ -72,6 +72,23 @@ TEST_F(ToolFacts, AHolderBelowTheOneOfTheLibraryIsNotIgnored) {
   EXPECT_EQ(status("TRNTYP/WORLD,0,0,0\nLOAD/TOOL,1\nCSI_SET_EXTENSION_LENGTH/60.", with_holder), 0);
 }
 
+TEST_F(ToolFacts, AStatedLengthBelowTheHolderIsNotIgnored) {
+  shop_.write("tools.json", library(R"(, "holder": "E")"));  // it begins 60 mm above the tip
+  const auto program = [&](const std::string& length, const std::vector<std::string>& more) {
+    shop_.write("m.h", "BEGIN PGM A MM\nTOOL DEF 1 L" + length + " R+5\nTOOL CALL 1 Z S100\n" +
+                           "L X+50 Y+50 Z+50 R0 FMAX\nL Z+0 F100\nL Z+50 FMAX\nM30\nEND PGM A MM\n");
+    std::vector<std::string> words = {"check", "m.h", "--part", "part.stl", "--tools", "tools.json", "--assume",
+                                      "placement"};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop_.run(words).exit_status;
+  };
+  EXPECT_EQ(program("+45", {}), 4);
+  EXPECT_EQ(program("+45", {"--assume", "tool=T1"}), 0);
+  EXPECT_EQ(program("+60", {}), 0);
+  EXPECT_EQ(program("+150", {}), 0);
+  EXPECT_EQ(program("+0", {}), 0) << "no length to a gauge line";
+}
+
 TEST_F(ToolFacts, ALengthBeyondTheToolOfTheLibraryIsNotIgnored) {
   EXPECT_EQ(status("CUTTER/10,0,5,0,0,0,60\nLOADTL/1", library()), 0);
   EXPECT_EQ(status("CUTTER/10,0,5,0,0,0,75\nLOADTL/1", library()), 4);
