@@ -134,8 +134,8 @@ TEST(PathConvert, WarnsOfRapidsThatRunAxisByAxis) {
                    "runs at its own rate; check the output with --rapid dogleg"),
       std::string::npos)
       << by_rate;
-  EXPECT_EQ(converted({"--to", "apt", "--joint-rapid-law", "joint"}).find("rapid"), std::string::npos);
-  EXPECT_EQ(converted({"--joint-rapid-law", "independent"}).find("rapid"), std::string::npos) << "a copy";
+  EXPECT_EQ(converted({"--to", "apt", "--joint-rapid-law", "joint"}).find("convert-rapid"), std::string::npos);
+  EXPECT_EQ(converted({"--joint-rapid-law", "independent"}).find("convert-rapid"), std::string::npos) << "a copy";
 }
 
 TEST(PathConvert, KeepsMotionToolsAndArcsOnTheWayThroughOtherDialects) {

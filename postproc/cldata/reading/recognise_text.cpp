@@ -24,7 +24,8 @@ struct Mark {
   std::string_view text;  // in capitals, without blanks
   DialectKind kind;
   Where where = Where::line_start;
-  DialectKind also = kind;  // another dialect whose files have it, besides marks of their own
+  DialectKind also = kind;           // another dialect whose files have it, besides marks of their own
+  std::string_view other_text = {};  // a longer text, which is no such mark
 };
 
 // In order of reliability: the first mark of this list that occurs in the file's first lines decides.
@@ -43,7 +44,7 @@ constexpr std::array<Mark, 21> kMarks = {{
     {"TRNTYP/", DialectKind::solidworks_cam},
     {"CSI_SET_EXTENSION_LENGTH/", DialectKind::solidworks_cam},
     {"MOVARC/CENTER", DialectKind::mori},
-    {"MOVARC/", DialectKind::autodesk},
+    {"MOVARC/", DialectKind::autodesk, Where::line_start, DialectKind::autodesk, "MOVARC/CENTER"},
     {"MODE/MILL", DialectKind::autodesk, Where::at_start, DialectKind::camplete},
     {"OPNAME/", DialectKind::mori},
     {"TLDATA/", DialectKind::nx_clsf, Where::without_partno},
@@ -61,6 +62,7 @@ std::string squeezed(std::string_view line) {
 }
 
 bool has_mark(const std::string& line, const Mark& mark) {
+  if (!mark.other_text.empty() && line.starts_with(mark.other_text)) return false;
   if (mark.where != Where::in_comment) return line.starts_with(mark.text);
   const bool is_comment = line.starts_with("$$") || line.starts_with("REMARK");
   return is_comment && line.find(mark.text) != std::string::npos;

@@ -96,6 +96,13 @@ TEST(AssumeFile, TheModeIsAMarkOfBothPostsOfAutodesk) {
             Basis::contradicted);
 }
 
+TEST(AssumeFile, AnArcOfMoriIsNoMarkOfAutodesk) {
+  const std::string head = "MCSYS/ NUM,1,POINT,0,0,0,VECTOR,1,0,0,VECTOR,0,1,0\nGOTO/1,2,3\n";
+  EXPECT_EQ(fact_in(head + "MOVARC/ CENTER, 0,2,3,AXIS,0,0,1,RADIUS,1\nGOTO/0,1,3\n", Subject::dialect).basis,
+            Basis::derived);
+  EXPECT_EQ(fact_in(head + "MOVARC/0,2,3,0,0,1,1,ANGLE,90\nGOTO/0,1,3\n", Subject::dialect).basis, Basis::contradicted);
+}
+
 TEST(AssumeFile, WordsThatAreNotUnderstoodAreNamed) {
   EXPECT_EQ(fact_in("UNITS/MM\nCOOLNT/ON\nGOTO/1,2,3\nFINI\n", Subject::statements).basis, Basis::derived);
   const Assumption unknown = fact_in("UNITS/MM\nGOTO/1,2,3\nFROBNI\nFROBNI\nFINI\n", Subject::statements);

@@ -169,6 +169,28 @@ TEST(KlartextTools, HaveTheDiameterThatTheProgramStates) {
   expect_open(kStart + "TOOL DEF 1 R+2\nTOOL DEF 1 R+3\nL X+1\n", "two different radii of tool 1");
 }
 
+TEST(KlartextTools, HaveTheFactsOfTheToolTable) {
+  GcodeOptions options;
+  options.setup.diameters_mm[1] = 40;
+  options.setup.corners_mm[1] = 2;
+  options.setup.tool_table = "tool.t";
+  const auto tool = [&](const std::string& before, const std::string& after) {
+    return path_of("BEGIN PGM A MM\n" + before + "TOOL CALL 1 Z S1\n" + kStart + after + "L X+1\nEND PGM A MM\n",
+                   options)
+        .tools.at(0);
+  };
+  const PathTool measured = tool("", "");
+  EXPECT_EQ(measured.stated_diameter_mm, 40);
+  EXPECT_TRUE(measured.in_table.has_diameter);
+  EXPECT_EQ(measured.in_table.corner_mm, 2);
+  EXPECT_EQ(measured.in_table.file, "tool.t");
+  for (const PathTool& defined : {tool("TOOL DEF 1 R+20\n", ""), tool("", "TOOL DEF 1 R+20\n")}) {
+    EXPECT_EQ(defined.stated_diameter_mm, 40);
+    EXPECT_FALSE(defined.in_table.has_diameter) << "the program states it";
+    EXPECT_EQ(defined.in_table.corner_mm, 2);
+  }
+}
+
 TEST(KlartextTools, OfTwoLengthsAreRefused) {
   GcodeOptions options;
   options.setup.lengths_mm[3] = 90;
