@@ -355,6 +355,9 @@ void PathWriter::note_losses() {
   };
   note("convert-tools", count_tools([&](const PathTool& tool) { return loses_shape(target_.cutter_form, tool); }),
        "tool", "without the whole shape, which the dialect cannot say; give it in a tool library");
+  const auto has_length = [](const PathTool& tool) { return tool.stickout_mm > 0 || tool.loaded_length_mm > 0; };
+  note("convert-tools", count_tools(has_length), "tool",
+       "without its stick-out or LENGTH, which are not written: compare them with the tool library");
 }
 
 Result<WrittenToolpath> PathWriter::run() {

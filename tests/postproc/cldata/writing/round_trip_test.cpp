@@ -179,6 +179,18 @@ TEST(RoundTrip, AToolThatADialectCannotSayIsReported) {
   EXPECT_FALSE(write_toolpath(creo, dialect_of(DialectKind::apt))->notes.empty());
 }
 
+TEST(RoundTrip, ALengthThatIsLeftOutIsReported) {
+  const auto notes = [](const std::string& loading) {
+    const Toolpath path = path_of("UNITS/MM\nCUTTER/10\n" + loading + "\nGOTO/0,0,0\n");
+    const Result<WrittenToolpath> result = write_toolpath(path, dialect_of(DialectKind::creo));
+    return std::ranges::count_if(result->notes, [](const Diagnostic& note) {
+      return note.code == "convert-tools" && note.message.find("LENGTH") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(notes("LOADTL/1,LENGTH,45"), 1);
+  EXPECT_EQ(notes("LOADTL/1"), 0);
+}
+
 // Half a turn fits both ways round; of quarters the stated angle shows.
 TEST(RoundTrip, ArcsWhoseAngleShowsNoSenseArePartedForAutodesk) {
   const std::string nx = "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nLOAD/TOOL,1\nGOTO/10,0,0\n";
