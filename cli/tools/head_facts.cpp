@@ -108,7 +108,14 @@ Assumption place_fact(const Toolpath& path, const std::vector<HeadLength>& lengt
   const auto unknown = std::ranges::find_if(lengths, [](const HeadLength& one) { return !(one.mm > 0); });
   const auto other = std::ranges::find_if(
       lengths, [&](const HeadLength& one) { return std::abs(one.mm - lengths.front().mm) > kEqual_mm; });
-  if (lengths.size() < 2) {
+  const auto again = std::ranges::find_if(lengths, [&](const HeadLength& one) {
+    return !path.tools[one.tool].gauge_length_mm && path.tools[one.tool].has_other_length;
+  });
+  if (again != lengths.end()) {
+    fact.basis = Basis::contradicted;
+    fact.evidence = "a head is equally far from the tip in all moves, but the toolpath loads " +
+                    name_of(path.tools[again->tool]) + " with several lengths";
+  } else if (lengths.size() < 2) {
     fact.basis = Basis::stated;
     fact.value = "as in its file";
     fact.remedy.clear();

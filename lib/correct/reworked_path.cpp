@@ -39,7 +39,7 @@ ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, con
   const auto add = [&](const Move& move, std::size_t origin) {
     const Motion motion = move.has_start ? options.law.between(moved.path.moves.back().end, move.end, move.kind)
                                          : options.law.at(move.end);
-    const bool is_whole = move.kind == MoveKind::rapid || move.is_spindle_stopped;
+    const bool is_whole = move.kind == MoveKind::rapid || move.is_spindle_stopped();
     // A cut gets no credit here for what it removes itself, so one that is not known to meet stock may seem to.
     const bool has_stock = is_whole || checker.meets_stock(origin);
     const MotionChecker in_place = has_stock ? checker.for_move(origin, is_whole) : checker;

@@ -12,7 +12,7 @@ namespace gouge {
 
 /// Returns whether a cutter removes the stock that it sweeps in the move: not in a rapid, and not with a stopped spindle.
 [[nodiscard]] inline bool removes_stock(const Move& move) {
-  return move.has_start && !runs_rapid(move) && !move.is_spindle_stopped;
+  return move.has_start && !runs_rapid(move) && !move.is_spindle_stopped();
 }
 
 /// Returns the kind by which the move runs and cuts: rapid where it runs in rapid, else its own.

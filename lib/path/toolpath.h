@@ -71,6 +71,7 @@ struct PathTool {
   std::set<std::string> other_names = {};  ///< further names that the file states for it
   double stickout_mm = 0;                  ///< from the tip to the holder; 0: not stated
   double loaded_length_mm = 0;             ///< LENGTH of its loading, from the tip to the gauge line; 0: not stated
+  bool has_other_length = false;           ///< another loading states another stick-out or LENGTH
   std::optional<int> other_register = {};  ///< register of its length, if it is not the number of the tool
   TableTool in_table = {};
 };
@@ -95,6 +96,8 @@ enum class Cover : std::uint8_t {
 /// One motion to one position, from the end of the move before it (Toolpath::start_of). A path has millions of moves,
 /// so a move is kept small.
 struct Move {
+  static constexpr float kSpindleStopped = -1;
+
   Pose end;
   double feed_mm = 0;  ///< per minute or revolution, as `feed_unit` states; 0: not known
   /// If not empty: the reason why this motion cannot be checked, or can only be found clean (`cover`). The text is
@@ -105,7 +108,7 @@ struct Move {
   SmallIndex tool = kNone;       ///< index into Toolpath::tools; kNone: no tool stated yet
   SmallIndex operation = kNone;  ///< index into Toolpath::operations
   SmallIndex curve;              ///< index into Toolpath::arcs or ::splines
-  float spindle_rpm = 0;  ///< revolutions per minute that the file states for the spindle; 0: not known, or stopped
+  float spindle_rpm = 0;  ///< revolutions per minute that the file states; 0: not known, kSpindleStopped: it is stopped
   CurveKind curve_kind = CurveKind::none;  ///< none: the tip moves straight
   MoveKind kind = MoveKind::feed;
   FeedUnit feed_unit = FeedUnit::not_stated;
@@ -121,9 +124,10 @@ struct Move {
   /// True for a motion without tool centre point control, which programs of a machine can state: all joints run, and tip
   /// and axis follow them. False: the tip runs as the path states.
   bool runs_joints = false;
-  bool is_spindle_stopped = false;  ///< the file stops the spindle before this motion: the cutter removes no stock
-  Cover cover = Cover::none;        ///< for a motion with a not_checked_reason
+  Cover cover = Cover::none;  ///< for a motion with a not_checked_reason
 
+  /// Returns whether the file stops the spindle before this motion: the cutter removes no stock.
+  [[nodiscard]] bool is_spindle_stopped() const { return spindle_rpm < 0; }
   [[nodiscard]] bool is_covered() const { return cover != Cover::none && !not_checked_reason.empty(); }
   [[nodiscard]] bool needs_wide_tool() const { return cover == Cover::wide && !not_checked_reason.empty(); }
   [[nodiscard]] Feed feed() const { return {feed_mm, feed_unit}; }

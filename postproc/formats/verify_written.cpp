@@ -104,7 +104,7 @@ std::optional<Diagnostic> Verification::find_other_feed() const {
 bool Verification::is_same_motion(const Move& found, const ExpectedMotion& meant) const {
   if ((found.end.tip * factor() - meant.end.tip).norm() > Tolerance::kFilePoint_mm) return false;
   if ((found.end.axis - meant.end.axis).norm() > kWrittenAxis || found.has_start == meant.is_alone) return false;
-  if (!target.has_positions_alone && found.is_spindle_stopped != path.moves[meant.move].is_spindle_stopped)
+  if (!target.has_positions_alone && found.is_spindle_stopped() != path.moves[meant.move].is_spindle_stopped())
     return false;
   const bool is_checked = found.not_checked_reason.empty();
   if (is_checked != meant.is_checked) return false;

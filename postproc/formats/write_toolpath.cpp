@@ -235,9 +235,9 @@ void PathWriter::write_cutcom(std::size_t index) {
 }
 
 void PathWriter::write_spindle(const Move& move) {
-  if (move.is_spindle_stopped != is_spindle_stopped_ && !target_.has_positions_alone)
-    sink_->stop_spindle(move.is_spindle_stopped);
-  is_spindle_stopped_ = move.is_spindle_stopped;
+  if (move.is_spindle_stopped() != is_spindle_stopped_ && !target_.has_positions_alone)
+    sink_->stop_spindle(move.is_spindle_stopped());
+  is_spindle_stopped_ = move.is_spindle_stopped();
 }
 
 // Writes a RAPID, which holds for only one motion.

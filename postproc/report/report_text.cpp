@@ -276,7 +276,7 @@ std::string event_name(const ReportModel& model, const Event& event) {
   if (event.state != MoveState::gouge || event.against != Against::stock) return state_name(event.state);
   const Move& move = model.toolpath->moves[event.worst_move];
   if (runs_rapid(move) || !move.has_start) return "rapid into stock";
-  if (move.is_spindle_stopped && event.body == Body::cutter) return "stopped cutter in stock";
+  if (move.is_spindle_stopped() && event.body == Body::cutter) return "stopped cutter in stock";
   return std::string(body_name(event.body)) + " in stock";
 }
 
@@ -318,7 +318,7 @@ namespace {
 
 // Returns the speed of the spindle in a move; empty: not known.
 std::string spindle_text(const Move& move) {
-  if (move.is_spindle_stopped) return "spindle stopped";
+  if (move.is_spindle_stopped()) return "spindle stopped";
   return move.spindle_rpm > 0 ? "spindle " + display_text(move.spindle_rpm, 1) + " rpm" : std::string();
 }
 

@@ -77,8 +77,8 @@ TEST_F(ToolFacts, AStatedLengthBelowTheHolderIsNotIgnored) {
   const auto program = [&](const std::string& length, const std::vector<std::string>& more) {
     shop_.write("m.h", "BEGIN PGM A MM\nTOOL DEF 1 L" + length + " R+5\nTOOL CALL 1 Z S100\n" +
                            "L X+50 Y+50 Z+50 R0 FMAX\nL Z+0 F100\nL Z+50 FMAX\nM30\nEND PGM A MM\n");
-    std::vector<std::string> words = {"check", "m.h", "--part", "part.stl", "--tools", "tools.json", "--assume",
-                                      "placement"};
+    std::vector<std::string> words = {"check",   "m.h",        "--part",   "part.stl",
+                                      "--tools", "tools.json", "--assume", "placement"};
     words.insert(words.end(), more.begin(), more.end());
     return shop_.run(words).exit_status;
   };

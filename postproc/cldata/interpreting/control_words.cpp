@@ -59,11 +59,13 @@ void take_path_law(States& s, const MachineEffect& effect) {
 }
 
 void take_modes(States& s, const MachineEffect& effect) {
+  const bool is_in_cycle = s.cycle.is_on() && changes_cycle(effect);
+  if (!effect.plane && !effect.centres_absolute && !effect.level_at_start && !is_in_cycle) return;
   const char* const reason = s.in.because(Reasons::kMachineMode);
   if (effect.plane) s.control_modes.take_plane(*effect.plane, reason);
   if (effect.centres_absolute) s.control_modes.take_centres(*effect.centres_absolute, reason);
   if (effect.level_at_start) s.control_modes.take_level(*effect.level_at_start, reason);
-  if (s.cycle.is_on() && changes_cycle(effect)) s.cycle.doubt(reason);
+  if (is_in_cycle) s.cycle.doubt(reason);
 }
 
 // Returns whether text ends a compensation or a tilted plane that the file has in force.

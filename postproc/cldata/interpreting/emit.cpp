@@ -195,8 +195,7 @@ Move make_move(States& s, const Position& position, MoveKind kind) {
   move.operation = s.operation.index();
   const bool is_at_rapid = kind == MoveKind::rapid || (kind != MoveKind::cycle && s.feed.is_rapid());
   move.set_feed(is_at_rapid ? Feed{0, FeedUnit::rapid} : s.feed.feed());
-  move.spindle_rpm = s.feed.spindle_rpm();
-  move.is_spindle_stopped = s.feed.is_spindle_stopped();
+  move.spindle_rpm = s.feed.is_spindle_stopped() ? Move::kSpindleStopped : s.feed.spindle_rpm();
   move.has_start = s.chain.is_start_certain();
   const char* const uncertainty = is_skipped(s) ? nullptr : s.uncertainties.reason();
   for (const char* reason : {uncertainty, s.chain.last_uncertainty(), s.chain.unknown_start()}) {

@@ -48,7 +48,7 @@ class FeedState {
   }
   void take_spindle() {
     spindle_rpm_ = read_spindle_speed(in_.arguments).value_or(spindle_rpm_);
-    is_spindle_stopped_ = stops_spindle(in_.arguments);
+    is_spindle_stopped_ = stops_spindle(in_.arguments).value_or(is_spindle_stopped_);
   }
   void stop_spindle(bool is_stopped) { is_spindle_stopped_ = is_stopped; }
   void begin_rapid() {

@@ -265,7 +265,9 @@ bool ToolState::is_cutter_unloaded() const {
 
 // Adds what the file states about lengths. Of two values it keeps the smaller one, at which the holder is lower.
 void ToolState::add_lengths(PathTool& tool) const {
-  const auto add = [](double& known_mm, double stated_mm) {
+  const auto add = [&](double& known_mm, double stated_mm) {
+    const bool are_both_stated = known_mm > 0 && stated_mm > 0;
+    if (are_both_stated && std::abs(known_mm - stated_mm) > Tolerance::kFilePoint_mm) tool.has_other_length = true;
     if (stated_mm > 0 && !(known_mm > 0 && known_mm < stated_mm)) known_mm = stated_mm;
   };
   add(tool.stickout_mm, tool_.stickout_mm);

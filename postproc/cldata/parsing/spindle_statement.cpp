@@ -1,6 +1,8 @@
 #include "postproc/cldata/parsing/spindle_statement.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <string_view>
 
 #include "postproc/cldata/language/text.h"
 
@@ -18,8 +20,14 @@ std::optional<float> read_spindle_speed(std::span<const Argument> arguments) {
   return static_cast<float>(std::max(0.0, *speed->number));
 }
 
-bool stops_spindle(std::span<const Argument> arguments) {
-  return has_argument(arguments, "OFF") || has_argument(arguments, "ORIENT") || has_argument(arguments, "LOCK");
+std::optional<bool> stops_spindle(std::span<const Argument> arguments) {
+  const auto has_any = [&](std::initializer_list<std::string_view> words) {
+    return std::ranges::any_of(words, [&](std::string_view word) { return has_argument(arguments, word); });
+  };
+  if (has_any({"OFF", "ORIENT", "LOCK"})) return true;
+  const bool has_speed_first = !arguments.empty() && arguments.front().number.has_value();
+  if (has_speed_first || has_any({"ON", "CLW", "CCLW", "RPM", "SFM", "SMM"})) return false;
+  return std::nullopt;
 }
 
 }  // namespace gouge

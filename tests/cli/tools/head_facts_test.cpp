@@ -75,6 +75,14 @@ TEST(HeadFacts, ALengthOfTheToolpathTakesThePlaceOfThatOfTheLibrary) {
             "the toolpath");
 }
 
+TEST(HeadFacts, AToolThatIsLoadedWithSeveralLengthsHasNoPlaceOfItsHead) {
+  Toolpath path = path_with(1);
+  path.tools[0].has_other_length = true;
+  EXPECT_EQ(head_facts(path, {tool_with(0, 70)}, "")[1].basis, Basis::contradicted);
+  path.tools[0].gauge_length_mm = 100;
+  EXPECT_EQ(head_facts(path, {tool_with(0, 70)}, "")[1].basis, Basis::stated) << "the set-up states the length";
+}
+
 TEST(HeadFacts, AStickOutOfTheToolpathMovesTheHead) {
   const auto fact = [](double first_mm, double second_mm, double gauge_length_mm = 0) {
     Toolpath path = path_with(2);

@@ -24,20 +24,23 @@ TEST(SpindleStatement, StatesTheSpeedInTheFormsOfCamSystems) {
 
 TEST(SpindleStatement, HoldsUntilTheNextOneThatChangesIt) {
   EXPECT_EQ(speed_after("SPINDL/RPM,900,CLW\nSPINDL/ON\n"), 900);
-  EXPECT_EQ(speed_after("SPINDL/RPM,900,CLW\nSPINDL/OFF\n"), 0);
+  EXPECT_EQ(speed_after("SPINDL/RPM,900,CLW\nSPINDL/OFF\n"), Move::kSpindleStopped);
   EXPECT_EQ(speed_after("SPINDL/RPM,900,CLW\nSPINDL/SFM,300,CLW\n"), 0) << "a speed along the surface is none in turns";
   EXPECT_EQ(speed_after(""), 0);
 }
 
 TEST(SpindleStatement, StopsAndStartsTheSpindle) {
   const auto is_stopped_after = [](const std::string& statements) {
-    return path_of("UNITS/MM\n" + statements + "GOTO/1,2,3\nGOTO/1,2,4\nFINI\n").moves.back().is_spindle_stopped;
+    return path_of("UNITS/MM\n" + statements + "GOTO/1,2,3\nGOTO/1,2,4\nFINI\n").moves.back().is_spindle_stopped();
   };
   EXPECT_FALSE(is_stopped_after("")) << "a file that states nothing runs with a turning spindle";
   for (const char* const stop : {"SPINDL/OFF\n", "spindl / off\n", "SPINDL/ORIENT\n", "SPINDL/LOCK\n"})
     EXPECT_TRUE(is_stopped_after(stop)) << stop;
   for (const char* const start : {"SPINDL/ON\n", "SPINDL/RPM,900,CLW\n", "SPINDL/800,CCLW\n"})
     EXPECT_FALSE(is_stopped_after(std::string("SPINDL/OFF\n") + start)) << start;
+  EXPECT_TRUE(is_stopped_after("SPINDL/OFF\nSPINDL/MAXRPM,6000\n"));
+  EXPECT_TRUE(is_stopped_after("SPINDL/OFF\nSPINDL/RANGE,2\n"));
+  EXPECT_FALSE(is_stopped_after("SPINDL/MAXRPM,6000\n"));
 }
 
 }  // namespace

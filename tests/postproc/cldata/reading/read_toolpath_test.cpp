@@ -370,5 +370,16 @@ TEST(ReadClsf, TheToolNumberOfABlockDoesNotStickToTheNextTool) {
   EXPECT_FALSE(path.tools.at(1).number);
 }
 
+TEST(ReadApt, KeepsTheSmallerOfTwoLengthsOfATool) {
+  const auto tool = [](const std::string& first, const std::string& second) {
+    return path_of("UNITS/MM\nCUTTER/10\n" + first + "\nGOTO/0,0,0\nGOHOME\n" + second + "\nGOTO/1,0,0\nFINI\n")
+        .tools.at(0);
+  };
+  EXPECT_EQ(tool("LOADTL/1,LENGTH,45", "LOADTL/1,LENGTH,40").loaded_length_mm, 40);
+  EXPECT_TRUE(tool("LOADTL/1,LENGTH,45", "LOADTL/1,LENGTH,40").has_other_length);
+  EXPECT_FALSE(tool("LOADTL/1,LENGTH,45", "LOADTL/1,LENGTH,45").has_other_length);
+  EXPECT_FALSE(tool("LOADTL/1,LENGTH,45", "LOADTL/1").has_other_length);
+}
+
 }  // namespace
 }  // namespace gouge::read_toolpath_test
