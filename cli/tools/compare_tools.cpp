@@ -301,7 +301,8 @@ class Comparer {
     if (!(stated > 0)) return;
     const ToolAssembly whole = with_holder();
     const double stickout = whole.holder.empty() ? 0 : stickout_mm(whole);
-    const std::string begin = name_of(tool_) + " is loaded with LENGTH " + length(stated) + " by the toolpath, but ";
+    const std::string begin =
+        name_of(tool_) + " is loaded with a length of " + length(stated) + " by the toolpath, but ";
     if (stickout > stated + kMeasured_mm)
       return contradict(begin + "its holder begins at " + length(stickout) +
                         " by the library, which is what is checked");

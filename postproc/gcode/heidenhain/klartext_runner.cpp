@@ -230,6 +230,9 @@ void KlartextRunner::call_tool(std::string_view text) {
   loaded.line = line_;
   if (const auto found = diameters_mm_.find(name_of_tool(loaded)); found != diameters_mm_.end())
     loaded.stated_diameter_mm = found->second;
+  // L+0, and a length from the tip of another tool, are none of the whole tool.
+  if (const auto found = lengths_mm_.find(name_of_tool(loaded)); found != lengths_mm_.end() && found->second > 0)
+    loaded.loaded_length_mm = found->second;
   if (motion_.tip_control() == TipControl::on) motion_.set_tip_control(TipControl::unknown);
   motion_.change_tool(loaded);
   motion_.apply_length(std::nullopt);  // TOOL CALL applies the length of its tool
@@ -273,6 +276,7 @@ void KlartextRunner::define_tool(std::string_view text) {
     const bool is_length = word.has_number("L");
     if (!is_length && !word.has_number("R")) return lose_rest("'" + word_text(word) + "' has no place in TOOL DEF");
     if (!is_length) define_radius(defined, word.value);
+    if (is_length) lengths_mm_[name_of_tool(defined)] = length(word.value);
     if (!is_length || !number || facts_.error) continue;
     const double stated_mm = length(word.value);
     if (const auto other_mm = contradicted_length(setup_.lengths_mm, *number, stated_mm))

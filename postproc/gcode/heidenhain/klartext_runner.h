@@ -145,7 +145,8 @@ class KlartextRunner {
   KlartextCycleCall cycle_;
   ProgramFacts facts_;
   LengthUnit unit_ = LengthUnit::mm;
-  std::map<std::string, double> diameters_mm_;  // that TOOL DEF states, by name_of_tool
+  // That TOOL DEF states, by name_of_tool.
+  std::map<std::string, double> diameters_mm_, lengths_mm_;
   std::optional<double> feed_;
   bool is_per_revolution_ = false;
   std::optional<std::array<double, 2>> pole_;  // mm of the program
