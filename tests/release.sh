@@ -35,6 +35,12 @@ make_each() {
   xargs -d '\n' -P "$(nproc)" -I {} bash -c 'line=$0; make_check "${line%% *}" "${line#* }"' {} || status=1
 }
 
+# build PRESET TARGET: builds a target, and keeps what the build prints.
+build() {
+  { cmake --preset "$1" && ninja -k 0 -C "build/$1" "$2"; } >"$LOGS/build_$1.log" 2>&1 ||
+    { echo "$2 is not built; see $LOGS/build_$1.log"; return 1; }
+}
+
 list_laws() {
   local laws="build/release/tests/laws/laws_tests --gtest_brief=1" part
   for part in GreatCircle RotaryHead Law_vector Law_axis Law_documented Law_any Law_joint Law_independent KeptObstacle; do
@@ -62,11 +68,11 @@ status=0
 for step in "$@"; do
   case $step in
     laws)
-      cmake --preset release >/dev/null && ninja -C build/release laws_tests >/dev/null || exit 2
+      build release laws_tests || exit 2
       make_each < <(list_laws)
       ;;
     fuzz)
-      cmake --preset fuzz >/dev/null && ninja -C build/fuzz fuzz >/dev/null || exit 2
+      build fuzz fuzz || exit 2
       make_each < <(list_targets)
       ;;
     asan | tsan) make_check "$step" "cmake --workflow --preset $step" || status=1 ;;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/batch/batch_list.h"
+#include "cli/batch/jobs_in_the_way.h"
 #include "cli/commands/job_words.h"
 #include "tests/fuzz/require.h"
 
