@@ -219,6 +219,18 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
 }
 
+// Returns warnings of the facts of a file that are not established, and that its copy in another dialect does not state.
+Diagnostics find_lost_facts(const Toolpath& path) {
+  Diagnostics lost = open_warnings(path.assumptions);
+  const auto add = [&](std::size_t line, const std::string& what) {
+    const std::string text = "text for the control in line " + std::to_string(line) + " is left out: " + what;
+    if (line > 0) lost.push_back(make_warning("convert-control", text, path.file, line));
+  };
+  add(path.smoothing_line, "it lets the tool leave the path; check the output with --tip-tolerance");
+  add(path.joint_law_line, "the rotary joints run in proportion; check the output with --machine and --feed-law axis");
+  return lost;
+}
+
 int run_convert(const PathArguments& arguments, const Toolpath& path, const Machine* machine, std::ostream& out,
                 std::ostream& err) {
   Result<WrittenToolpath> written = WrittenToolpath{std::string(path.source.view()), {}};
@@ -226,6 +238,7 @@ int run_convert(const PathArguments& arguments, const Toolpath& path, const Mach
   if (!written) return fail(err, {written.error()});
   print(err, path.notes);
   print(err, written->notes);
+  if (!arguments.to.empty()) print(err, find_lost_facts(path));
   if (machine != nullptr && !arguments.to.empty()) print(err, find_lost_rapids(*machine, path));
   const Outcome outcome = write_output(arguments.output, written->bytes, out);
   return outcome ? kExitClean : fail(err, {outcome.error()}, kExitInternal);

@@ -86,6 +86,9 @@ TEST_F(StoppedSpindle, IsReadInProgramsOfEveryControl) {
     EXPECT_EQ(running.out.find(kFound), std::string::npos) << control << running.out;
     EXPECT_NE(stopped.out.find(kFound), std::string::npos) << control << stopped.out << stopped.err;
     EXPECT_EQ(stopped.exit_status, 1) << control;
+    EXPECT_NE(check(control == std::string("heidenhain") ? "TOOL CALL S0\n" : "S0\n").out.find(kFound),
+              std::string::npos)
+        << control << " at a speed of 0";
     EXPECT_EQ(started.exit_status, running.exit_status) << control << started.out << started.err;
     EXPECT_EQ(started.out.find(kFound), std::string::npos) << control << started.out;
   }

@@ -14,20 +14,6 @@
 namespace gouge {
 namespace {
 
-// Resolves the tool. Its definitions up to here belong to the motion that begins.
-void resolve_tool(States& s) {
-  const std::size_t before = s.tool.index();
-  if (!s.tool.resolve()) return;
-  if (before == kNone && s.chain.was_from()) {
-    s.in.path.moves.back().tool = s.tool.index();  // FROM states the position of the first tool
-  } else {
-    const std::optional<ArcStatement> arc = s.curve.arc();
-    break_motion(s);
-    s.curve.restore(arc);
-  }
-  s.cycle.change_tool();
-}
-
 MotionRecord make_record(States& s, const Move& move, const Position& position) {
   MotionRecord record;
   record.statement = move.statement;
@@ -126,6 +112,19 @@ std::optional<ControlPlane> plane_of_arc(const States& s) {
 }
 
 }  // namespace
+
+void resolve_tool(States& s) {
+  const std::size_t before = s.tool.index();
+  if (!s.tool.resolve()) return;
+  if (before == kNone && s.chain.was_from()) {
+    s.in.path.moves.back().tool = s.tool.index();  // FROM states the position of the first tool
+  } else {
+    const std::optional<ArcStatement> arc = s.curve.arc();
+    break_motion(s);
+    s.curve.restore(arc);
+  }
+  s.cycle.change_tool();
+}
 
 void emit(States& s, const Position& position) {
   s.setup.settle();

@@ -12,6 +12,8 @@
 
 namespace gouge {
 
+/// Resolves the tool. Its definitions up to here belong to the motion that begins.
+void resolve_tool(States& s);
 /// Emits the moves to `position`: one move, or those of a hole.
 void emit(States& s, const Position& position);
 /// Emits a motion with an unknown end. It stands at the end of the last motion, so that it is reported as a move that

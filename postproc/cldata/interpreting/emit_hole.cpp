@@ -35,6 +35,7 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
                              last->axis.cross(move.end.axis).norm() <= Tolerance::kSameDirection;
   if (is_same_point) return;
   if (is_rapid) move.set_feed({0, FeedUnit::rapid});
+  if (s.cycle.drill()->is_tapping && move.is_spindle_stopped()) move.spindle_rpm = 0;  // tapping turns it
   const Feed& plunge = s.cycle.drill()->feed;
   if (!is_rapid && plunge.unit != FeedUnit::not_stated) move.set_feed(plunge);
   append(s, move, step);

@@ -70,10 +70,16 @@ namespace {
 
 constexpr double kMaxCopies = 1000;
 
+// Returns whether the spindle turns here and stands at the beginning of the range, or the other way round.
+bool is_other_spindle(const States& s, const IndexedMoves& range) {
+  return range.begin < s.in.moves() && s.in.path.moves[range.begin].is_spindle_stopped() != s.feed.is_spindle_stopped();
+}
+
 // Returns whether moves can be repeated: all are checked straight moves and arcs, with the present tool and frame.
 bool is_repeatable(const States& s, const IndexedMoves& range) {
   if (range.begin == range.end || range.frames != s.frame_changes || range.begins_with_step) return false;
   if (range.is_rapid_open || s.feed.is_rapid_pending()) return false;
+  if (range.is_other_spindle || is_other_spindle(s, range)) return false;
   const Moves& moves = s.in.path.moves;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const Move& move = moves[i];
@@ -144,8 +150,9 @@ void take_index(States& s) {
   if (is_end) {
     if (range.end == kNone) range.end = s.in.moves();
     range.is_rapid_open = range.is_rapid_open || s.feed.is_rapid_pending();
+    range.is_other_spindle = range.is_other_spindle || is_other_spindle(s, range);
   } else {
-    range = {s.in.moves(), kNone, s.frame_changes, s.feed.is_rapid_pending(), false};
+    range = {s.in.moves(), kNone, s.frame_changes, s.feed.is_rapid_pending(), false, false};
   }
 }
 
@@ -153,6 +160,7 @@ void take_copy(States& s) {
   const std::optional<CopyStatement> copy = read_copy(s.in.arguments);
   const auto found = copy ? s.indexed.find(copy->id) : s.indexed.end();
   if (found == s.indexed.end()) return take_repeat(s);
+  resolve_tool(s);
   IndexedMoves range = found->second;
   if (range.end == kNone) range.end = s.in.moves();
   if (!is_repeatable(s, range) || (range.end - range.begin) * copy->copies > kMaxCopied) return take_repeat(s);

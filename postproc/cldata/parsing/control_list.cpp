@@ -128,7 +128,7 @@ constexpr auto kWords = std::to_array<ControlWord>({
     {"SETMS", ControlForm::values, kSiemens},
     {"SOFT", ControlForm::alone, kSiemens},
     {"SPATH", ControlForm::alone, kSiemens},
-    {"SPOS", ControlForm::values, kSiemens},
+    {"SPOS", ControlForm::values, kSiemens, stops_spindle},
     {"STARTFIFO", ControlForm::alone, kSiemens},
     {"STOP", ControlForm::addresses, kHeidenhain},
     {"STOPFIFO", ControlForm::alone, kSiemens},

@@ -21,6 +21,7 @@ enum class ControlMeaning : std::uint8_t {
   level,      ///< the level to which cycles retract
   ends_tilt,  ///< ends a tilted plane
   ends_compensation,
+  stops_spindle,     ///< at an angle
   turns_axes,        ///< the rotary joints run in proportion, not the tool axis on the great circle
   length,            ///< changes the tool length in the control
   path,              ///< moves if the block has axes
@@ -61,7 +62,7 @@ struct ControlWord {
   std::string_view word;
   ControlForm form;
   std::string_view source;
-  ControlMeaning meaning = ControlMeaning::harmless;  ///< or smooths, turns_axes
+  ControlMeaning meaning = ControlMeaning::harmless;  ///< or smooths, turns_axes, stops_spindle
 };
 
 /// Returns a word that moves and changes nothing, or null.

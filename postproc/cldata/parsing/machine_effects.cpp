@@ -122,6 +122,9 @@ void take_meaning(ControlMeaning meaning, Tokens tokens, bool has_axes, MachineE
     case turns_axes:
       effect.turns_axes = true;
       return;
+    case stops_spindle:
+      effect.stops_spindle = true;
+      return;
     case length:
       effect.changes_length = true;
       return;

@@ -150,7 +150,7 @@ std::optional<MachineEffect> read_word(std::string_view text) {
   const std::vector<Token> tokens = machine_tokens(*rest);
   MachineEffect effect = tokens.empty() ? MachineEffect{} : read_addresses(tokens);
   note_smoothing(*word, after, effect);
-  effect.turns_axes = effect.turns_axes || word->meaning == ControlMeaning::turns_axes;
+  if (word->meaning != ControlMeaning::smooths) take_meaning(word->meaning, tokens, false, effect);
   return effect;
 }
 

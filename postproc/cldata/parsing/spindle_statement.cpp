@@ -24,9 +24,12 @@ std::optional<bool> stops_spindle(std::span<const Argument> arguments) {
   const auto has_any = [&](std::initializer_list<std::string_view> words) {
     return std::ranges::any_of(words, [&](std::string_view word) { return has_argument(arguments, word); });
   };
-  if (has_any({"OFF", "ORIENT", "LOCK"})) return true;
+  if (has_any({"OFF", "ORIENT", "LOCK", "NEUTRL"})) return true;
+  const bool is_along_surface = has_any({"SFM", "SMM"});
+  const std::optional<float> speed = read_spindle_speed(arguments);
+  if (!is_along_surface && speed && !(*speed > 0)) return true;
   const bool has_speed_first = !arguments.empty() && arguments.front().number.has_value();
-  if (has_speed_first || has_any({"ON", "CLW", "CCLW", "RPM", "SFM", "SMM"})) return false;
+  if (has_speed_first || is_along_surface || has_any({"ON", "CLW", "CCLW", "RPM"})) return false;
   return std::nullopt;
 }
 

@@ -11,7 +11,7 @@ namespace gouge {
 /// for OFF and for a speed along the surface (SFM, SMM); none: the statement keeps the speed, such as SPINDL/ON.
 [[nodiscard]] std::optional<float> read_spindle_speed(std::span<const Argument> arguments);
 
-/// Returns whether SPINDL/.. stops the spindle: true for OFF and a stop at an angle, false for ON, a sense or a speed; none:
+/// Returns whether SPINDL/.. stops the spindle: true for OFF, a speed of 0 and a stop at an angle, false for ON, a sense or a speed; none:
 /// it does neither, such as SPINDL/MAXRPM,6000.
 [[nodiscard]] std::optional<bool> stops_spindle(std::span<const Argument> arguments);
 

@@ -292,6 +292,8 @@ void KlartextRunner::drill() {
   const auto feed = q.find(206);
   if (feed != q.end() && feed->second > 0 && unit_ == LengthUnit::mm)
     motion_.set_feed({feed->second, FeedUnit::per_minute});
+  constexpr int kTapping = 206, kRigidTapping = 207;
+  if (cycle_.row->number == kTapping || cycle_.row->number == kRigidTapping) motion_.stop_spindle(false);
   go_to(MoveKind::rapid, clearance);
   go_to(MoveKind::feed, surface + length(q.at(201)));
   go_to(cycle_.row->form == KlartextDrilling::feed_out ? MoveKind::feed : MoveKind::rapid, clearance);

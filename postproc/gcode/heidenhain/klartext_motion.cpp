@@ -21,8 +21,7 @@ void KlartextRunner::begin_motion(const PathWords& words) {
   for (const KlartextFunction* row : words.functions) {
     if (row->meaning == Meaning::per_minute || row->meaning == Meaning::per_revolution)
       is_per_revolution_ = row->meaning == Meaning::per_revolution;
-    if (row->meaning == Meaning::spindle_on || row->meaning == Meaning::spindle_off)
-      motion_.stop_spindle(row->meaning == Meaning::spindle_off);
+    if (row->meaning == Meaning::spindle_on) motion_.stop_spindle(false);
     if (row->meaning == Meaning::tip_control_on) begin_tip_control(why_point_open());
     if (row->meaning == Meaning::shortest_on) takes_shortest_ = true;
     if (row->meaning != Meaning::not_checked_path) continue;
@@ -37,6 +36,7 @@ void KlartextRunner::begin_motion(const PathWords& words) {
 
 void KlartextRunner::end_motion(const PathWords& words) {
   for (const KlartextFunction* row : words.functions) {
+    if (row->meaning == Meaning::spindle_off) motion_.stop_spindle(true);
     if (row->meaning == Meaning::shortest_off) takes_shortest_ = false;
     if (row->meaning == Meaning::tip_control_off) end_tip_control();
     if (row->meaning == Meaning::retract) retract();

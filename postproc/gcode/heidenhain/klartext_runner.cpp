@@ -216,7 +216,7 @@ void KlartextRunner::call_tool(std::string_view text) {
   }
   if (!axis.empty() && axis != "Z") return lose_rest("TOOL CALL with tool axis " + axis + "; only Z is read");
   if (values.contains("F")) feed_ = length(values["F"]);
-  if (values.contains("S")) motion_.set_spindle(values["S"] > 0 ? values["S"] : 0);
+  if (values.contains("S")) motion_.set_spindle(values["S"]);
   set_feed();
   const bool has_tool = has_number || has_name;
   const double oversize = values.contains("DL") ? values["DL"] : 0;

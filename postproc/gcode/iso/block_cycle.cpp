@@ -106,6 +106,7 @@ void BlockRunner::drill_at(const GcodeCycle& cycle, const Target& at, const Vec3
     return leave_hole_open(at, end, why_unknown);
   }
   const bool feeds_out = cycle.form == DrillForm::feed_in_feed_out || cycle.form == DrillForm::thread;
+  if (cycle.form == DrillForm::thread) motion_.stop_spindle(false);  // rigid tapping turns it
   for (int i = 0; i < cycle_.times; ++i) {
     over.xyz.z() = motion_.place().xyz.z();
     AxisPlace above = over, bottom = over, out = over;

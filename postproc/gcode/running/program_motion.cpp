@@ -140,7 +140,7 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
   move.tool = tool_;
   move.operation = operation_.resolve();
   move.set_feed(move.kind == MoveKind::rapid ? Feed{0, FeedUnit::rapid} : feed_);
-  move.spindle_rpm = is_spindle_stopped_ ? Move::kSpindleStopped : spindle_rpm_;
+  move.spindle_rpm = is_spindle_stopped_ || is_speed_zero_ ? Move::kSpindleStopped : spindle_rpm_;
   move.runs_joints = mapper_.has_machine() && state_.tip_control != TipControl::on;
   move.has_start = chain_.last_pose().has_value();
   const char* const unknown_start = chain_.unknown_start();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -98,8 +99,11 @@ class ProgramMotion {
     feed_ = feed;
     moves_per_minute_.reset();
   }
-  /// Sets the speed of the spindle, in revolutions per minute; 0: not known.
-  void set_spindle(double rpm) { spindle_rpm_ = static_cast<float>(rpm); }
+  /// Sets the speed of the spindle, in revolutions per minute. At 0 it stands; NaN: not known.
+  void set_spindle(double rpm) {
+    spindle_rpm_ = rpm > 0 ? static_cast<float>(rpm) : 0;
+    is_speed_zero_ = std::abs(rpm) <= 0;
+  }
   /// Stops the spindle before the next motion, or starts it.
   void stop_spindle(bool is_stopped) { is_spindle_stopped_ = is_stopped; }
   /// Sets the feed by the number of such motions in a minute (G93). Each move takes its length in that time.
@@ -209,7 +213,7 @@ class ProgramMotion {
   bool has_turned_ = false;  // a rotary joint has turned in a move
   Feed feed_;
   float spindle_rpm_ = 0;
-  bool is_spindle_stopped_ = false;
+  bool is_spindle_stopped_ = false, is_speed_zero_ = false;
   std::optional<double> moves_per_minute_;
   std::size_t statement_ = 0, line_ = 0, tool_ = kNone;
   std::vector<bool> has_run_;  // one for each statement

@@ -67,6 +67,7 @@ void SiemensRunner::drill(const SiemensWord& cycle) {
     place.xyz.setConstant(kUnknownValue);
     return motion_.go_unchecked(MoveKind::feed, place, open);
   }
+  if (row->form == DrillForm::thread) motion_.stop_spindle(false);  // tapping turns it
   motion_.go(MoveKind::rapid, level(above));
   motion_.go(MoveKind::feed, level(depth));
   if (row->form != DrillForm::feed_in_rapid_out) motion_.go(MoveKind::feed, level(above));

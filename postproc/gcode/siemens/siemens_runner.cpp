@@ -62,10 +62,9 @@ SiemensNext SiemensRunner::run(const SiemensBlock& block, std::size_t line) {
 void SiemensRunner::take_codes() {
   using Group = SiemensGroup;
   for (const SiemensWords::Code& code : words_.codes()) take_mode(code);
-  if (words_.code(Meaning::dwell) == nullptr) {
-    if (words_.value("F") != nullptr) take_feed();
-    take_spindle();
-  }
+  const bool are_times = words_.code(Meaning::dwell) != nullptr;
+  if (!are_times && words_.value("F") != nullptr) take_feed();
+  take_spindle(are_times);
   if (const auto* offset = words_.code(Meaning::work_offset)) take_offset(offset->word->name);
   take_length_and_tool();
   const auto has_code = [&](Group group) { return words_.code_of(group) != nullptr; };
@@ -153,10 +152,11 @@ void SiemensRunner::take_feed() {
   set_feed();
 }
 
-void SiemensRunner::take_spindle() {
+// Takes the words of the spindle. In a block with G4, S is a time.
+void SiemensRunner::take_spindle(bool is_dwell) {
   for (const char* const name : {"S", "S1"}) {
-    const SiemensWord* const word = words_.value(name);
-    if (word != nullptr) motion_.set_spindle(word->value > 0 ? word->value : 0);
+    const SiemensWord* const word = is_dwell ? nullptr : words_.value(name);
+    if (word != nullptr) motion_.set_spindle(word->value);
   }
   constexpr double kFirstStop = 5;  // of 3, 4, 5 and 19
   if (words_.value("SPOS") != nullptr) motion_.stop_spindle(true);

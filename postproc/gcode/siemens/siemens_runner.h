@@ -99,7 +99,7 @@ class SiemensRunner {
   void take_unit(LengthUnit unit, const std::string& word);
   void take_feed();
   void set_feed();
-  void take_spindle();
+  void take_spindle(bool is_dwell);
   void take_offset(const std::string& name);
   void take_length_and_tool();
   void take_length(const SiemensWord& word);

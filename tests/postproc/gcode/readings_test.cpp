@@ -137,7 +137,7 @@ TEST(GcodeReading, KeepsTheSpeedOfTheSpindle) {
   const Toolpath path = path_of_program("G21 G90 G94 S8000 M3\nG0 X0 Y0 Z0\nG1 X10 F5\nS0 X20\nM2\n", "linuxcnc");
   ASSERT_EQ(path.moves.size(), 3u);
   EXPECT_EQ(path.moves[1].spindle_rpm, 8000);
-  EXPECT_EQ(path.moves[2].spindle_rpm, 0);
+  EXPECT_EQ(path.moves[2].spindle_rpm, Move::kSpindleStopped);
 }
 
 TEST(GcodeReading, TurnsInverseTimeIntoFeeds) {

@@ -294,6 +294,21 @@ TEST(Cards, HaveNumbersInTheirLastColumns) {
   expect_vector(path.moves[0].end.tip, 1, 2, 3);
 }
 
+TEST(FurtherReadings, RepeatNoMovesOfAnotherTool) {
+  const std::string begin = "GOTO/0,0,9\nINDEX/1\nGOTO/1,0,9\nGOTO/2,0,9\n";
+  for (const std::string& text : {begin + "INDEX/1,NOMORE\nLOADTL/2\n", begin + "LOADTL/2\nINDEX/1,NOMORE\n"})
+    EXPECT_FALSE(path_of(apt(text + "COPY/1,TRANSL,0,10,0,2\nFINI\n")).moves.back().not_checked_reason.empty()) << text;
+}
+
+TEST(FurtherReadings, RepeatNoMovesWhereTheSpindleStopsOrStarts) {
+  const std::string begin = "GOTO/0,0,9\nINDEX/1\nGOTO/1,0,9\nGOTO/2,0,9\n", end = "INDEX/1,NOMORE\n";
+  const std::string copy = "COPY/1,TRANSL,0,10,0,2\nGOTO/0,0,50\nFINI\n";
+  EXPECT_TRUE(path_of(apt(begin + end + copy)).moves.back().not_checked_reason.empty());
+  for (const std::string& text :
+       {begin + "SPINDL/OFF\n" + end, begin + end + "SPINDL/OFF\n", begin + "SPINDL/OFF\n" + end + "SPINDL/ON\n"})
+    EXPECT_FALSE(path_of(apt(text + copy)).moves.back().not_checked_reason.empty()) << text;
+}
+
 TEST(FurtherReadings, RepeatNoMovesWhereARapidIsOpen) {
   const std::string begin = "GOTO/0,0,9\nINDEX/1\nGOTO/1,0,9\nGOTO/2,0,9\n", end = "GOTO/0,0,50\nFINI\n";
   for (const std::string& text : {begin + "RAPID\nINDEX/1,NOMORE\nCOPY/1,TRANSL,0,10,0,2\n",

@@ -63,7 +63,7 @@ TEST(MachineText, ReportsThatRotaryJointsRunInProportion) {
 }
 
 TEST(MachineText, ReportsThatTheSpindleStopsOrStarts) {
-  for (const char* const stop : {"M5", "M05 M09", "M19 R90", "M3 M5", "L Z+50 R0 FMAX M5"})
+  for (const char* const stop : {"M5", "M05 M09", "M19 R90", "M3 M5", "L Z+50 R0 FMAX M5", "SPOS=90"})
     EXPECT_EQ(read_machine_text(stop).stops_spindle, true) << stop;
   for (const char* const start : {"M3", "M03 S900", "M4", "M13", "M14"})
     EXPECT_EQ(read_machine_text(start).stops_spindle, false) << start;

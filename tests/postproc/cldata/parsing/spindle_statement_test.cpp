@@ -34,7 +34,8 @@ TEST(SpindleStatement, StopsAndStartsTheSpindle) {
     return path_of("UNITS/MM\n" + statements + "GOTO/1,2,3\nGOTO/1,2,4\nFINI\n").moves.back().is_spindle_stopped();
   };
   EXPECT_FALSE(is_stopped_after("")) << "a file that states nothing runs with a turning spindle";
-  for (const char* const stop : {"SPINDL/OFF\n", "spindl / off\n", "SPINDL/ORIENT\n", "SPINDL/LOCK\n"})
+  for (const char* const stop : {"SPINDL/OFF\n", "spindl / off\n", "SPINDL/ORIENT\n", "SPINDL/LOCK\n",
+                                 "SPINDL/NEUTRL\n", "SPINDL/0\n", "SPINDL/RPM,0,CLW\n", "SPINDL/OFF\nSPINDL/0,RPM\n"})
     EXPECT_TRUE(is_stopped_after(stop)) << stop;
   for (const char* const start : {"SPINDL/ON\n", "SPINDL/RPM,900,CLW\n", "SPINDL/800,CCLW\n"})
     EXPECT_FALSE(is_stopped_after(std::string("SPINDL/OFF\n") + start)) << start;
