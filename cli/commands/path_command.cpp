@@ -221,7 +221,10 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
 
 // Returns warnings of the facts of a file that are not established, and that its copy in another dialect does not state.
 Diagnostics find_lost_facts(const Toolpath& path) {
-  Diagnostics lost = open_warnings(path.assumptions);
+  Assumptions facts = path.assumptions;
+  std::erase_if(facts, [](const Assumption& fact) { return fact.subject == Subject::statements; });  // notes name them
+  settle(facts, {}, false);
+  Diagnostics lost = open_warnings(facts);
   const auto add = [&](std::size_t line, const std::string& what) {
     const std::string text = "text for the control in line " + std::to_string(line) + " is left out: " + what;
     if (line > 0) lost.push_back(make_warning("convert-control", text, path.file, line));

@@ -138,6 +138,22 @@ TEST(PathConvert, WarnsOfRapidsThatRunAxisByAxis) {
   EXPECT_EQ(converted({"--joint-rapid-law", "independent"}).find("convert-rapid"), std::string::npos) << "a copy";
 }
 
+TEST(PathConvert, WarnsOfDoubtsThatTheOutputDoesNotState) {
+  const SmallShop shop;
+  const auto warning = [&](const std::string& text) {
+    shop.write("in.apt", text);
+    const Outcome ran = shop.run({"path", "convert", "in.apt", "-o", "out.ncl", "--to", "apt-creo"});
+    EXPECT_EQ(ran.exit_status, 0) << ran.err;
+    return ran.err;
+  };
+  const std::string whole = path_text(stations());
+  EXPECT_EQ(warning(whole).find("path-cut-short"), std::string::npos);
+  EXPECT_NE(warning(whole.substr(0, whole.find("FINI"))).find("[path-cut-short]"), std::string::npos);
+  for (const std::string text : {"INSERT CYCLE832(0.5)\n", "INSERT ORIAXES\n"}) {
+    EXPECT_NE(warning(path_text(stations(), kHead + text)).find("[convert-control]"), std::string::npos) << text;
+  }
+}
+
 TEST(PathConvert, KeepsMotionToolsAndArcsOnTheWayThroughOtherDialects) {
   const SampleFolder sample = open_sample("arcs_nx");
   const nlohmann::json before = info(sample.path, sample.toolpath());
