@@ -243,7 +243,9 @@ class Comparer {
     const std::optional<double> stated = is_stated_for_all ? set_up_.length.mm : tool_.gauge_length_mm;
     if (!stated) return;
     const double slack = is_stated_for_all ? set_up_.length.slack_mm : 0;
-    if (*stated > 0) compare_with_holder(*stated + slack);
+    if (*stated > 0)
+      contradict_holder_above(*stated + slack, name_of(tool_) + " is " + length(*stated + slack) +
+                                                   " long to the gauge line by the stated tool length, but ");
     if (!(known_.gauge_length_mm > 0)) return;
     const double gap = std::abs(*stated - known_.gauge_length_mm) - slack;
     if (gap <= kReach_mm) return;
@@ -254,13 +256,13 @@ class Comparer {
     warn(message + "; its shank and holder are checked as in the library");
   }
 
-  // Compares the length to the gauge line with the beginning of the holder, which is not above that line.
-  void compare_with_holder(double stated) {
+  // Contradicts a length to the gauge line above which the holder begins. `begin` states that length. Returns whether it does.
+  bool contradict_holder_above(double stated, const std::string& begin) {
     const ToolAssembly whole = with_holder();
-    if (whole.holder.empty() || stickout_mm(whole) <= stated + kMeasured_mm) return;
-    contradict(name_of(tool_) + " is " + length(stated) +
-               " long to the gauge line by the stated tool length, but its holder begins at " +
-               length(stickout_mm(whole)) + " by the library, which is what is checked");
+    if (whole.holder.empty() || stickout_mm(whole) <= stated + kMeasured_mm) return false;
+    contradict(begin + "its holder begins at " + length(stickout_mm(whole)) +
+               " by the library, which is what is checked");
+    return true;
   }
 
   // Compares the heights of the holder above the tip. A holder that is lower than the checked one could hide a gouge.
@@ -299,13 +301,9 @@ class Comparer {
   void compare_loaded_lengths() {
     const double stated = tool_.loaded_length_mm;
     if (!(stated > 0)) return;
-    const ToolAssembly whole = with_holder();
-    const double stickout = whole.holder.empty() ? 0 : stickout_mm(whole);
     const std::string begin =
         name_of(tool_) + " is loaded with a length of " + length(stated) + " by the toolpath, but ";
-    if (stickout > stated + kMeasured_mm)
-      return contradict(begin + "its holder begins at " + length(stickout) +
-                        " by the library, which is what is checked");
+    if (contradict_holder_above(stated, begin)) return;
     if (!loaded_gauge_length_mm(tool_) || !(known_.gauge_length_mm > 0)) return;
     const double gap = std::abs(stated - known_.gauge_length_mm);
     const std::string message =
