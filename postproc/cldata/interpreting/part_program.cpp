@@ -70,16 +70,18 @@ namespace {
 
 constexpr double kMaxCopies = 1000;
 
-// Returns whether the spindle turns here and stands at the beginning of the range, or the other way round.
-bool is_other_spindle(const States& s, const IndexedMoves& range) {
-  return range.begin < s.in.moves() && s.in.path.moves[range.begin].is_spindle_stopped() != s.feed.is_spindle_stopped();
+// Returns whether a copy that begins here would differ from the range: a RAPID is open, or the spindle has stopped or
+// started.
+bool is_border_open(const States& s, const IndexedMoves& range) {
+  const bool has_moves = range.begin < s.in.moves();
+  return s.feed.is_rapid_pending() ||
+         (has_moves && s.in.path.moves[range.begin].is_spindle_stopped() != s.feed.is_spindle_stopped());
 }
 
 // Returns whether moves can be repeated: all are checked straight moves and arcs, with the present tool and frame.
 bool is_repeatable(const States& s, const IndexedMoves& range) {
   if (range.begin == range.end || range.frames != s.frame_changes || range.begins_with_step) return false;
-  if (range.is_rapid_open || s.feed.is_rapid_pending()) return false;
-  if (range.is_other_spindle || is_other_spindle(s, range)) return false;
+  if (range.is_border_open || is_border_open(s, range)) return false;
   const Moves& moves = s.in.path.moves;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const Move& move = moves[i];
@@ -149,10 +151,9 @@ void take_index(States& s) {
   IndexedMoves& range = s.indexed[static_cast<int>(*arguments[0].number)];
   if (is_end) {
     if (range.end == kNone) range.end = s.in.moves();
-    range.is_rapid_open = range.is_rapid_open || s.feed.is_rapid_pending();
-    range.is_other_spindle = range.is_other_spindle || is_other_spindle(s, range);
+    range.is_border_open = range.is_border_open || is_border_open(s, range);
   } else {
-    range = {s.in.moves(), kNone, s.frame_changes, s.feed.is_rapid_pending(), false, false};
+    range = {s.in.moves(), kNone, s.frame_changes, s.feed.is_rapid_pending(), false};
   }
 }
 

@@ -108,8 +108,7 @@ struct PendingInsert {
 struct IndexedMoves {
   std::size_t begin = 0, end = kNone;  ///< kNone: the range has no end yet
   std::size_t frames = 0;              ///< States::frame_changes at the beginning of the range
-  bool is_rapid_open = false;          ///< a RAPID is open where the range begins or ends
-  bool is_other_spindle = false;       ///< the spindle stops or starts in it
+  bool is_border_open = false;         ///< a copy would begin in another state than the range
   bool begins_with_step = false;       ///< its first move is a step, which continues from elsewhere when it is repeated
 };
 inline constexpr std::size_t kMaxCopied = 1000000;  ///< maximum number of moves copied by one COPY

@@ -86,11 +86,9 @@ void NccsStatements::take_post(const NccsHeader& header, Statement& statement) {
   }
   statement.major = major_of_code(header.subclass);
   const bool is_harmless = find_word(statement.major) == Word::harmless;
-  if (is_harmless) statement.word = Word::harmless;
-  if (is_harmless && statement.major != "SPINDL") return;
-  for (std::size_t i = 1; i < header.words; ++i) statement.decoded.push_back(argument_at(i));
-  if (is_harmless) return;
-  statement.word = statement.major.empty() ? Word::unknown : post_word(statement);
+  if (!is_harmless || statement.major == "SPINDL")
+    for (std::size_t i = 1; i < header.words; ++i) statement.decoded.push_back(argument_at(i));
+  statement.word = is_harmless ? Word::harmless : statement.major.empty() ? Word::unknown : post_word(statement);
   if (statement.major.empty()) statement.major = "post-processor word";
 }
 
