@@ -318,8 +318,9 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   convert.footer(
       "Example:\n"
       "  gougecheck path convert finish.cls -o finish.apt --to apt-creo\n\n"
-      "Motions, tools, feeds, CUTCOM, stops of the spindle and names of operations are written. Speeds, coolant and comments are not. "
-      "Positions are written in part coordinates. mastercam-nci can be read but not written.\n\n" +
+      "Motions, tools, feeds, CUTCOM, stops of the spindle and names of operations are written. "
+      "Speeds, coolant and comments are not. Positions are written in part coordinates. mastercam-nci can be read but "
+      "not written.\n\n" +
       std::string(kStatus));
   convert.callback([&] { arguments.is_convert = true; });
 

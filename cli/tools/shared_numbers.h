@@ -19,8 +19,8 @@ class SharedNumbers {
   explicit SharedNumbers(const Toolpath& path);
 
   /// Takes the next tool, with the index `tool` in Toolpath::tools. `known`, its tool of the library, must live as long as
-  /// this object; it is null if the path defines the tool. Returns the contradiction to a tool
-  /// that was taken before; empty: there is none. A tool without a move that is checked is not taken.
+  /// this object; it is null if the path defines the tool. Returns the contradiction to a tool that was taken before; empty:
+  /// there is none. A tool without a move that is checked is not taken.
   [[nodiscard]] std::string take(std::size_t tool, const ToolAssembly& assembly, const ToolAssembly* known);
 
  private:
