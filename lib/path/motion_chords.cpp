@@ -35,31 +35,26 @@ double nearest_turn(const Vec3& axis, const Vec3& from, const Vec3& to) {
 
 bool is_checked_feed(const Move& move) { return !runs_rapid(move) && move.not_checked_reason.empty(); }
 
+std::vector<MotionChord> chords_of_move(const Toolpath& path, std::size_t move) {
+  const Move& of = path.moves[move];
+  Pose from = beginning_of(path, move);
+  if (!of.has_start || of.curve_kind == CurveKind::none) return {{from, of.end, move}};
+  std::vector<MotionChord> chords;
+  for (const Pose& to : chords_of(path, move, kChord_mm)) {
+    chords.push_back({from, to, move});
+    from = to;
+  }
+  return chords;
+}
+
 std::vector<MotionChord> chords_of_feeds(const Toolpath& path) {
   std::vector<MotionChord> feeds;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    const Move& move = path.moves[i];
-    if (!is_checked_feed(move)) continue;
-    Pose from = beginning_of(path, i);
-    if (!move.has_start || move.curve_kind == CurveKind::none) {
-      feeds.push_back({from, move.end, i});
-      continue;
-    }
-    for (const Pose& to : chords_of(path, i, kChord_mm)) {
-      feeds.push_back({from, to, i});
-      from = to;
-    }
+    if (!is_checked_feed(path.moves[i])) continue;
+    const std::vector<MotionChord> chords = chords_of_move(path, i);
+    feeds.insert(feeds.end(), chords.begin(), chords.end());
   }
   return feeds;
-}
-
-std::vector<Pose> inner_positions(const Toolpath& path, std::size_t move, std::size_t max_count) {
-  if (!path.moves[move].has_start || path.moves[move].curve_kind == CurveKind::none) return {};
-  const std::vector<Pose> ends = chords_of(path, move, kChord_mm);
-  const std::size_t inner = ends.size() - 1, count = std::min(inner, max_count);
-  std::vector<Pose> positions;
-  for (std::size_t k = 1; k <= count; ++k) positions.push_back(ends[k * inner / (count + 1)]);
-  return positions;
 }
 
 std::vector<MotionChord> chords_of_rapids(const Toolpath& path) {

@@ -21,11 +21,11 @@ struct MotionChord {
 /// Returns whether a move is a feed that is checked.
 [[nodiscard]] bool is_checked_feed(const Move& move);
 
+/// Returns a move as straight pieces: chords of an arc or a spline within 0.0001 mm, or one piece. A move without a start
+/// is one that stays at its end.
+[[nodiscard]] std::vector<MotionChord> chords_of_move(const Toolpath& path, std::size_t move);
 /// Returns the feeds that are checked, with arcs and splines as chords.
 [[nodiscard]] std::vector<MotionChord> chords_of_feeds(const Toolpath& path);
-/// Returns positions within a curved feed, in order, at most `max_count` of them, without both ends. Empty for a straight
-/// feed.
-[[nodiscard]] std::vector<Pose> inner_positions(const Toolpath& path, std::size_t move, std::size_t max_count);
 /// Returns the rapids whose end is known. They include rapids whose motion is not known, as straight lines.
 [[nodiscard]] std::vector<MotionChord> chords_of_rapids(const Toolpath& path);
 

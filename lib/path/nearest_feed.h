@@ -36,7 +36,8 @@ class NearestFeed {
 
   /// Returns the distance of the tip from the nearest feed, and the smallest angle at a feed as near, which move() becomes.
   PoseDistance find(const Pose& pose);
-  [[nodiscard]] std::size_t move() const { return feeds_.all()[last_].move; }
+  [[nodiscard]] std::size_t move() const { return feed().move; }
+  [[nodiscard]] const MotionChord& feed() const { return feeds_.all()[last_]; }
   /// Returns whether a motion that is as near as the nearest one fulfils a condition. Where a path passes a place more
   /// than once, several motions do. It looks at the motions that find() looks at first.
   template <class Condition>

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
+#include "lib/path/farthest_tip.h"
 #include "lib/path/motion_chords.h"
 #include "lib/path/nearest_feed.h"
 #include "lib/path/path_info.h"
@@ -14,7 +16,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMaxInner = 3;  // positions in a curved feed that are measured
+constexpr std::size_t kAxesInside = 3;  // of a curved feed that are measured
 
 bool are_feeds_comparable(const Move& move, const Move& other) {
   const Feed one = move.feed(), two = other.feed();
@@ -42,19 +44,19 @@ class Measurement {
         other_(other),
         nearest_(feeds, height_mm),
         nearest_to_middle_(feeds, height_mm),
+        farthest_(feeds, std::max(within_mm, Tolerance::kSamePoint_mm)),
         rapids_(other, within_mm, height_mm),
         height_mm_(height_mm),
         within_mm_(within_mm) {}
 
   void add(std::size_t move) {
     ++result_.positions;
-    for (const Pose& inner : inner_positions(path_, move, kMaxInner)) {
-      const PoseDistance found = nearest_.find(inner);
-      add_distance(move, found, nearest_.move());
-    }
+    const std::vector<MotionChord> chords = chords_of_move(path_, move);
+    add_axes_inside(chords);
     PoseDistance found = nearest_.find(path_.moves[move].end);
     std::size_t at = nearest_.move();
-    if (const std::size_t rapid = find_rapid(move, found); rapid != kNone) {
+    const std::size_t rapid = find_rapid(move, found);
+    if (rapid != kNone) {
       if (path_.moves[move].has_start) add_rapid(move, rapid);  // else no motion to the position is known
       if (!found.is_within(within_mm_, height_mm_)) {
         found = distance_from(path_.moves[move].end, {start_of(other_, rapid), other_.moves[rapid].end, rapid});
@@ -62,6 +64,7 @@ class Measurement {
       }
     }
     add_distance(move, found, at);
+    if (rapid == kNone) add_tips_inside(chords);
     if (at == nearest_.move()) add_feed_rate(move);
   }
   [[nodiscard]] const PathDifference& result() const { return result_; }
@@ -108,17 +111,39 @@ class Measurement {
            height_mm_ * angle_between_rad(start.axis, end.axis) <= std::max(within_mm_, NearestFeed::kAlike_mm);
   }
 
-  void add_distance(std::size_t move, const PoseDistance& found, std::size_t at) {
-    if (result_.tip_move == kNone || found.tip_mm > result_.tip_mm) {
-      result_.tip_mm = found.tip_mm;
-      result_.tip_move = move;
-      result_.tip_other = at;
+  void add_axes_inside(const std::vector<MotionChord>& chords) {
+    const std::size_t inside = chords.size() - 1, count = std::min(inside, kAxesInside);
+    for (std::size_t k = 1; k <= count; ++k) {
+      const MotionChord& chord = chords[k * inside / (count + 1)];
+      const PoseDistance found = nearest_.find(chord.to);
+      add_distance(chord.move, found, nearest_.move());
     }
+  }
+
+  void add_tips_inside(const std::vector<MotionChord>& chords) {
+    for (const MotionChord& chord : chords) {
+      if (!path_.moves[chord.move].has_start || !farthest_.add(chord.from.tip, chord.to.tip)) continue;
+      if (farthest_.distance_mm() <= result_.tip_mm + Tolerance::kSamePoint_mm) continue;
+      add_tip_distance(chord.move, farthest_.distance_mm(), farthest_.nearest_move());
+      result_.is_tip_inside = true;
+    }
+  }
+
+  void add_distance(std::size_t move, const PoseDistance& found, std::size_t at) {
+    add_tip_distance(move, found.tip_mm, at);
     if (result_.axis_move == kNone || found.axis_rad > result_.axis_rad) {
       result_.axis_rad = found.axis_rad;
       result_.axis_move = move;
       result_.axis_other = at;
     }
+  }
+
+  void add_tip_distance(std::size_t move, double distance_mm, std::size_t at) {
+    if (result_.tip_move != kNone && distance_mm <= result_.tip_mm) return;
+    result_.tip_mm = distance_mm;
+    result_.is_tip_inside = false;
+    result_.tip_move = move;
+    result_.tip_other = at;
   }
 
   void add_feed_rate(std::size_t move) {
@@ -138,6 +163,7 @@ class Measurement {
 
   const Toolpath &path_, &other_;
   NearestFeed nearest_, nearest_to_middle_;
+  FarthestTip farthest_;
   RapidPlaces rapids_;
   double height_mm_, within_mm_;
   PathDifference result_;

@@ -9,9 +9,10 @@ namespace gouge {
 
 /// Distances of the positions of one path from the motions of another.
 struct PathDifference {
-  std::size_t positions = 0;  ///< feed positions that were compared
-  double tip_mm = 0;          ///< largest distance of a tip from the nearest motion
-  double axis_rad = 0;        ///< largest of the angles between the axes at the nearest motions
+  std::size_t positions = 0;   ///< feed positions that were compared
+  double tip_mm = 0;           ///< largest distance of a tip from the nearest motion
+  bool is_tip_inside = false;  ///< it is on the way to the position, not at it
+  double axis_rad = 0;         ///< largest of the angles between the axes at the nearest motions
   /// The position of the largest value, and the nearest motion; kNone: there is no position.
   std::size_t tip_move = kNone, tip_other = kNone, axis_move = kNone, axis_other = kNone;
   /// Positions at which the motions of both paths have feed rates in the same unit, and they differ by more than
@@ -38,7 +39,10 @@ struct MovesLeftOut {
 
 [[nodiscard]] MovesLeftOut count_left_out(const Toolpath& path);
 
-/// Measures the end of each checked feed of `path` against the feeds of `other`, along their arcs and splines. The nearest
+/// Measures each checked feed of `path` against the feeds of `other`, along their arcs and splines. Tips are measured along
+/// the whole feed: none is farther than the larger of `within_mm` and 1.01 * tip_mm. Between two positions the tip runs
+/// straight, whatever the law of the joints. Axes are measured at the end, and at three positions of an arc or a spline.
+/// A feed that is a rapid in `other` is measured at its end alone. The nearest
 /// motion is that whose tip is nearest. Among those as near within 0.001 mm it is that with the smallest angle, of which 1 rad
 /// counts as `height_mm`, and among equal ones the next after the one before. None: a path has no feed that is checked.
 /// A feed is a rapid in `other` in two cases, where distances up to `within_mm` count as none: (1) No feed passes its end,

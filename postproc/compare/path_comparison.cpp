@@ -89,8 +89,9 @@ std::string left_out_rows(const MovesLeftOut& out, const Names& names, const Too
 
 std::string difference_text(const PathDifference& of, const Names& names, const Toolpath& path, const Toolpath& other) {
   return row(std::string(names.path) + " against " + names.other, count_text(of.positions, "feed")) +
-         row("  largest distance of a tip",
-             display_text(of.tip_mm, kDecimals) + " mm" + places_text(path, of.tip_move, other, of.tip_other)) +
+         row("  largest distance of a tip", display_text(of.tip_mm, kDecimals) +
+                                                (of.is_tip_inside ? " mm on the way to the position" : " mm") +
+                                                places_text(path, of.tip_move, other, of.tip_other)) +
          row("  largest angle of an axis", display_text(of.axis_rad / kDegree_rad, kDecimals) + " deg" +
                                                places_text(path, of.axis_move, other, of.axis_other)) +
          rapid_row(of, names, path, other) + feed_row(of, path, other) + unknown_feed_row(of, path, other);
@@ -109,7 +110,7 @@ Json difference_json(const PathDifference& of, const Toolpath& path, const Toolp
   Json rapids = {{"count", of.rapids}, {"retracts", of.retracts}};
   if (of.rapids > 0) rapids = lines(std::move(rapids), of.rapid_move, of.rapid_other);
   return {{"positions", of.positions},
-          {"tip", lines({{"mm", of.tip_mm}}, of.tip_move, of.tip_other)},
+          {"tip", lines({{"mm", of.tip_mm}, {"is_inside", of.is_tip_inside}}, of.tip_move, of.tip_other)},
           {"axis", lines({{"degrees", of.axis_rad / kDegree_rad}}, of.axis_move, of.axis_other)},
           {"rapids_in_other", std::move(rapids)},
           {"other_feed_rates", std::move(feeds)},

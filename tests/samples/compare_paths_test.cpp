@@ -52,6 +52,33 @@ TEST_F(ComparePaths, ReadingsOfAPathAreComparedAsJson) {
   EXPECT_EQ(shop_.read("a.apt"), feeds);
 }
 
+TEST_F(ComparePaths, AFeedInPlaceOfALostRetractIsADifference) {
+  const std::string head = "UNITS/MM\nGOTO/0,0,0\nGOTO/10,0,0\n", tail = "GOTO/50,0,0\nGOTO/60,0,0\nFINI\n";
+  shop_.write("a.apt", head + "RAPID\nGOTO/10,0,40\nRAPID\nGOTO/50,0,40\n" + tail);
+  shop_.write("b.apt", head + tail);
+  const Outcome ran = compare({"a.apt", "b.apt"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  expect_text(ran.out, " mm on the way to the position at b.apt:4, nearest a.apt:");
+}
+
+// A helix of 5 turns passes the beginning, the middle and the end of one of 1 turn.
+TEST_F(ComparePaths, AHelixOfMoreTurnsIsADifference) {
+  const auto helix = [](const std::string& turns) {
+    return kProgramHead + "G3 X10. Y10. Z-19. I5. J0. P" + turns + "\nM30\n%\n";
+  };
+  shop_.write("one.nc", helix("1"));
+  shop_.write("five.nc", helix("5"));
+  const std::vector<std::string> exact_stop = {"--control", "linuxcnc", "--start", "G61"};
+  const auto against = [&](const std::string& other) {
+    std::vector<std::string> arguments = {"one.nc", other};
+    arguments.insert(arguments.end(), exact_stop.begin(), exact_stop.end());
+    return compare(arguments);
+  };
+  const Outcome same = against("one.nc"), differs = against("five.nc");
+  EXPECT_EQ(same.exit_status, 0) << same.out << same.err;
+  EXPECT_EQ(differs.exit_status, 1) << differs.out << differs.err;
+}
+
 TEST_F(ComparePaths, FeedRatesThatAreNotKnownAreNamed) {
   shop_.write("a.apt", "UNITS/MM\nGOTO/0,0,0\nFEDRAT/100,MMPM\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");
   shop_.write("b.apt", "UNITS/MM\nGOTO/0,0,0\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n");

@@ -135,7 +135,12 @@ TEST_F(PublicProgram, TheHaasProgramHasThePositionsOfItsClData) {
     const Outcome ran = run_gougecheck(fresh_folder(), arguments);
     const std::size_t at = ran.out.find("largest distance of a tip");
     ASSERT_NE(at, std::string::npos) << file.path() << ran.out << ran.err;
-    EXPECT_LT(std::stod(ran.out.substr(at + 32)), 2e-4) << file.path() << "\n" << ran.out;
+    const double largest_mm = std::stod(ran.out.substr(at + 32));
+    if (file.path().filename() ==
+        "subset_nccs.cl")  // its record 225 is straight, where the program has an arc of 90 degrees
+      EXPECT_NEAR(largest_mm, 0.375 * (1 - std::sqrt(0.5)) * 25.4, 1e-3) << ran.out;
+    else
+      EXPECT_LT(largest_mm, 2e-4) << file.path() << "\n" << ran.out;
   }
 }
 

@@ -137,6 +137,20 @@ TEST(PathDifference, NamesACutThatIsARapidBetweenFeeds) {
   EXPECT_EQ(difference->rapid_move, 2U);
 }
 
+// Both ends of the feed lie on feeds of the other path.
+TEST(PathDifference, FindsAFeedThroughPlacesThatTheOtherPathPassesAbove) {
+  Toolpath path = paths::through({paths::upright(0, 0, 40), paths::upright(0, 0, 0), paths::upright(10, 0, 0),
+                                  paths::upright(10, 0, 40), paths::upright(50, 0, 40), paths::upright(50, 0, 0)});
+  for (const std::size_t rapid : {0U, 3U, 4U}) path.moves[rapid].kind = MoveKind::rapid;
+  Toolpath other = path;
+  other.moves.erase(other.moves.begin() + 3, other.moves.begin() + 5);
+  const auto difference = measure_difference(other, path, kHeight_mm, kWithin_mm);
+  EXPECT_NEAR(difference->tip_mm, 20, 0.2);
+  EXPECT_EQ(difference->tip_move, 3U);
+  EXPECT_TRUE(difference->is_tip_inside);
+  EXPECT_FALSE(measure_difference(path, path, kHeight_mm, kWithin_mm)->is_tip_inside);
+}
+
 TEST(PathDifference, NamesACutBeforeRetractsThatAreRapids) {
   Toolpath path = cut();
   path.moves.push_back(path.moves[2]);
