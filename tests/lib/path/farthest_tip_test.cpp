@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 
 namespace gouge::farthest_tip_test {
 namespace {
@@ -32,9 +32,8 @@ double sampled_mm(const Vec3& from, const Vec3& to, const FeedsInBlocks& feeds) 
 }
 
 TEST(FarthestTip, IsAsFarAsTheFarthestOfManyPlaces) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> anywhere(-10, 10);
-  const auto place = [&] { return Vec3(anywhere(random), anywhere(random), anywhere(random)); };
+  test::Scatter scatter(7);
+  const auto place = [&] { return scatter.point(10); };
   for (int round = 0; round < 60; ++round) {
     std::vector<Pose> poses;
     for (int k = 0; k < 3 + round % 20; ++k) poses.push_back({place(), Vec3::UnitZ()});
