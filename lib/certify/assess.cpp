@@ -195,10 +195,14 @@ Assumption assume_solid(const std::string& name, const MeshFindings& findings) {
   Assumption fact{.subject = Subject::solid, .object = name, .code = "mesh-not-solid"};
   fact.file = name;
   fact.remedy = "repair it with gougecheck mesh --repair, or state with --assume solid that no tool lies inside it";
-  if (findings.is_solid()) {
+  if (findings.is_solid() && findings.encloses_volume()) {
     fact.basis = Basis::derived;
     fact.value = "closed";
     fact.evidence = "closed, oriented outwards";
+  } else if (findings.is_solid()) {
+    fact.value = "without volume";
+    fact.evidence = "the surface encloses no volume, as a sheet with a front and a back does";
+    fact.remedy = "export the solid in place of its surface, or state with --assume solid that the part is this surface";
   } else if (findings.may_be_cut_off) {
     fact.basis = Basis::unknown;
     fact.value = "perhaps cut off";

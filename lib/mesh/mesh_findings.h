@@ -54,6 +54,13 @@ struct MeshFindings {
     return is_watertight() && inside_out_components.count == 0 && duplicate_triangles.count == 0;
   }
 
+  /// Returns whether the volume is more than rounding. A sheet whose front and back are one closed surface has none.
+  /// Requires is_watertight().
+  [[nodiscard]] bool encloses_volume() const {
+    constexpr double kThinnest_mm = 1e-6;
+    return signed_volume_mm3 > kThinnest_mm * area_mm2;
+  }
+
   /// Returns V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
   [[nodiscard]] long long euler_number() const {
     return static_cast<long long>(vertices) - static_cast<long long>(edges) + static_cast<long long>(triangles);

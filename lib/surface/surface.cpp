@@ -182,11 +182,12 @@ const Surface& Surface::boundary() const {
     if (shared_->known_solid || !is_solid()) return std::nullopt;
     auto found = find_solid_boundary(mesh(), tree(), triangles_at_vertices(), shared_->threads);
     if (!found) return std::nullopt;
+    const bool has_inside = found->is_known && !found->mesh.triangles.empty();
     const auto shared = std::make_shared<Shared>();
-    shared->own_mesh = found->is_known ? std::move(found->mesh) : mesh();
+    shared->own_mesh = has_inside ? std::move(found->mesh) : mesh();
     shared->mesh = &shared->own_mesh;
     shared->threads = shared_->threads;
-    shared->known_solid = found->is_known;
+    shared->known_solid = has_inside;
     shared->is_cut = found->is_cut;
     return Surface(std::shared_ptr<const Shared>(shared));
   });

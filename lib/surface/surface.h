@@ -48,8 +48,8 @@ class Surface {
 
   /// Returns the boundary of the solid. That is the surface itself or, if shells nest, overlap or cross, the part with
   /// no material on one side (solid_boundary.h). Only this boundary gives the side of a point of a solid, or a depth in
-  /// it. For a surface that is not a solid it is the surface itself. The boundary is not a solid if, because of
-  /// rounding, some of its sides are unknown.
+  /// it. For a surface that is not a solid it is the surface itself. If the surface encloses no volume, or if some of
+  /// its sides are unknown because of rounding, the boundary has all its triangles and is no solid.
   /// Ensures  The result is valid as long as this surface or a copy of it. The first call costs the same as
   ///          find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;

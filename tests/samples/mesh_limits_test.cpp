@@ -6,6 +6,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 #include "tests/samples/sealed_result.h"
+#include "tests/samples/small_shop.h"
 
 namespace gouge::testing_samples::mesh_limits_test {
 namespace {
@@ -45,6 +46,25 @@ TEST(MeshLimits, AreVerifiedFromTheResult) {
   const Outcome refuted = run_gougecheck(sample.path, {"verify", "other.json"});
   EXPECT_NE(refuted.exit_status, 0);
   EXPECT_NE(refuted.out.find("refuted"), std::string::npos) << refuted.out;
+}
+
+// A surface that was exported with front and back. A tool that crosses it gouges; a clean path rests on a default.
+TEST(ClosedSheet, IsAPartWithoutVolume) {
+  const SmallShop shop;
+  shop.write("part.stl",
+             "solid sheet\n"
+             "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 100 0 0\nvertex 100 100 0\nendloop\nendfacet\n"
+             "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 100 100 0\nvertex 0 100 0\nendloop\nendfacet\n"
+             "facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 100 0\nvertex 100 0 0\nendloop\nendfacet\n"
+             "facet normal 0 0 -1\nouter loop\nvertex 100 0 0\nvertex 0 100 0\nvertex 100 100 0\nendloop\nendfacet\n"
+             "endsolid sheet\n");
+  const Outcome gouging = shop.check("gouging", path_text(stations({{50, -2}})));
+  EXPECT_EQ(gouging.exit_status, 1) << gouging.err;
+  EXPECT_EQ(shop.run({"verify", "gouging.json"}).exit_status, 0);
+  const Outcome clean = shop.check("clean", path_text(stations({})));
+  EXPECT_EQ(clean.exit_status, 0) << clean.out << clean.err;
+  EXPECT_NE(clean.out.find("solid part.stl without volume (default)"), std::string::npos) << clean.out;
+  EXPECT_EQ(shop.run({"correct", "path.apt", "--part", "part.stl", "-o", "corrected.apt"}).exit_status, 0);
 }
 
 TEST(MeshLimits, WithoutAUnitAreInMmWhateverThePathIsIn) {

@@ -72,6 +72,17 @@ inline IndexedMesh slotted_block(double wall = 1, double slot = 6, double height
   return mesh;
 }
 
+/// Returns the square [-half, half]^2 at z = 0 with a front and a back, whose diagonals differ: a closed surface without
+/// duplicate triangles that encloses nothing.
+inline IndexedMesh closed_sheet(double half) {
+  IndexedMesh mesh;
+  mesh.name = "closed sheet";
+  mesh.vertices = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  mesh.file_triangle = {1, 2, 3, 4};
+  return mesh;
+}
+
 /// Returns a block [-half, half]^2 x [-height, 0] with a blind hole of `radius` and `depth` about z. The hole has
 /// `corners` flat walls, a multiple of 8, and its corners lie on the radius.
 inline IndexedMesh bored_block(double radius, double depth, double half = 50, double height = 30,

@@ -38,11 +38,21 @@ CheckResult result_of(const Toolpath& path, const Scene& scene, const SetupBasis
 TEST(Assess, AnOpenSurfaceWithoutAnEndIsUnknown) {
   MeshFindings findings;
   findings.may_be_cut_off = true;
+  findings.signed_volume_mm3 = 1;
   EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::derived) << "what is closed is whole";
   findings.boundary_edges.count = findings.unbalanced_edges.count = 3;
   EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::unknown);
   findings.may_be_cut_off = false;
   EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::by_default);
+}
+
+TEST(Assess, AClosedSheetWithoutVolumeIsNoSolidThatIsDerived) {
+  MeshFindings findings;
+  findings.area_mm2 = 3200;
+  EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::by_default);
+  EXPECT_EQ(assume_solid("a.stl", findings).value, "without volume");
+  findings.signed_volume_mm3 = 0.01 * findings.area_mm2;
+  EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::derived) << "a foil of 0.02 mm";
 }
 
 /// Cuts 10 mm above the floor, with an approach at that height.

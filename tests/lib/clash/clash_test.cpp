@@ -31,6 +31,13 @@ TEST(Clash, OfAJawSunkInABlockIsHowFarItIsSunkIn) {
   }
 }
 
+TEST(Clash, OfASheetThatEnclosesNothingIsThatInTheBlock) {
+  const IndexedMesh sheet = shapes::moved(shapes::closed_sheet(200), Vec3(0, 0, 10));
+  EXPECT_EQ(clash_of(kBlock, sheet).state, ClashState::penetrating);
+  EXPECT_EQ(clash_of(sheet, kBlock).state, ClashState::penetrating);
+  EXPECT_EQ(clash_of(kBlock, shapes::moved(sheet, Vec3(0, 0, 100))).state, ClashState::free);
+}
+
 TEST(Clash, BodiesThatTouchWithinTheToleranceDoNotPenetrate) {
   for (const double sunk : {0.0, 0.005, 0.0099}) {
     const Clash clash = clash_of(kBlock, shapes::box(Vec3(-10, -5, 40 - sunk), Vec3(110, 60, 60)));

@@ -140,6 +140,19 @@ TEST(SolidBoundary, OfRandomAssembliesEndsTheBallAboutEachPoint) {
   EXPECT_GT(cut, 50U);
 }
 
+TEST(SolidBoundary, OfASurfaceThatEnclosesNothingIsNoSolid) {
+  const IndexedMesh sheet = shapes::closed_sheet(20);
+  const Surface whole(sheet);
+  ASSERT_TRUE(whole.is_solid());
+  EXPECT_FALSE(whole.boundary().is_solid());
+  EXPECT_EQ(whole.boundary().mesh().triangles, sheet.triangles);
+  EXPECT_NEAR(whole.boundary().closest_point(Vec3(0, 0, -3))->signed_mm(), 3, 1e-12);
+  const IndexedMesh both = shapes::joined(shapes::box(Vec3(-5, -5, -9), Vec3(5, 5, -1)), sheet);
+  const Surface beside(both);
+  EXPECT_TRUE(beside.boundary().is_solid());
+  EXPECT_EQ(beside.boundary().mesh().triangles.size(), 12U);
+}
+
 // Rays from here meet edges and corners of the box in each of their directions, or run along faces.
 TEST(Surface, WindsAroundAPointWhateverEdgesARayMeets) {
   const IndexedMesh mesh = shapes::box(Vec3::Constant(-1), Vec3::Constant(1));
