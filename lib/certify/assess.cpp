@@ -202,7 +202,8 @@ Assumption assume_solid(const std::string& name, const MeshFindings& findings) {
   } else if (findings.is_solid()) {
     fact.value = "without volume";
     fact.evidence = "the surface encloses no volume, as a sheet with a front and a back does";
-    fact.remedy = "export the solid in place of its surface, or state with --assume solid that the part is this surface";
+    fact.remedy =
+        "export the solid in place of its surface, or state with --assume solid that the part is this surface";
   } else if (findings.may_be_cut_off) {
     fact.basis = Basis::unknown;
     fact.value = "perhaps cut off";
