@@ -216,6 +216,25 @@ Broken repeat_at_random(SceneScatter& random) {
   return broken;
 }
 
+/// A solid beside closed sheets that enclose nothing, or next to nothing, in one file or in several.
+Broken add_sheets_at_random(SceneScatter& random) {
+  constexpr double kThickness_mm[] = {0, 1e-7, 1e-4};
+  Broken broken;
+  broken.intended = {random_solid(random)};
+  broken.files = broken.intended;
+  for (std::size_t n = 1 + random.below(3); n-- > 0;) {
+    IndexedMesh sheet = shapes::closed_sheet(random.in(5, 40));
+    sheet.vertices[0].z() += kThickness_mm[random.below(3)];
+    sheet = shapes::moved(sheet, random.point(30));
+    if (random.below(2) == 0)
+      broken.files.push_back(sheet);
+    else
+      broken.files.back() = shapes::joined(broken.files.back(), sheet);
+  }
+  for (IndexedMesh& file : broken.files) file.name = "file";
+  return broken;
+}
+
 /// Closed bodies, one of them inside another and a file of its own, inside out or not.
 Broken turn_files_at_random(SceneScatter& random) {
   Broken broken;
@@ -305,6 +324,8 @@ TEST(BrokenMeshes, NeverMakeABuriedToolCleanNorAFreeOneBuried) { EXPECT_GT(check
 
 // Duplicate triangles prove nothing: every edge of an open surface has an even number of triangles then.
 TEST(BrokenMeshes, AnOpenSurfaceThatStandsThereSeveralTimesProvesNoOutside) { check_many(repeat_at_random); }
+
+TEST(BrokenMeshes, SheetsThatEncloseNothingHideNoSolid) { check_many(add_sheets_at_random); }
 
 TEST(BrokenMeshes, AFileThatIsInsideOutIsNoCavityOfAnother) { check_many(turn_files_at_random); }
 
