@@ -39,15 +39,17 @@ struct MovesLeftOut {
 
 [[nodiscard]] MovesLeftOut count_left_out(const Toolpath& path);
 
-/// Measures each checked feed of `path` against the feeds of `other`, along their arcs and splines. Tips are measured along
-/// the whole feed: none is farther than the larger of `within_mm` and 1.01 * tip_mm. Between two positions the tip runs
-/// straight, whatever the law of the joints. Axes are measured at the end, and at three positions of an arc or a spline.
-/// A feed that is a rapid in `other` is measured at its end alone. The nearest
-/// motion is that whose tip is nearest. Among those as near within 0.001 mm it is that with the smallest angle, of which 1 rad
-/// counts as `height_mm`, and among equal ones the next after the one before. None: a path has no feed that is checked.
-/// A feed is a rapid in `other` in two cases, where distances up to `within_mm` count as none: (1) No feed passes its end,
-/// but a rapid ends there, or passes its middle and end. Its distance is then that from the rapid. (2) A rapid passes its
-/// middle and ends at its end, and no feed passes the middle.
+/// Measures each checked feed of `path` against the feeds of `other`, along their arcs and splines.
+///
+/// Tips     They are measured along the whole feed: none is farther than the larger of `within_mm` and 1.01 * tip_mm. Between
+///          two positions the tip runs straight, whatever the law of the joints.
+/// Axes     They are measured at the end, and at three positions of an arc or a spline, at the motion whose tip is nearest.
+///          Of motions as near within 0.001 mm, that with the smallest sum of distance and angle counts. In this sum 1 rad
+///          is `height_mm`. Of equal ones, the next after the one before counts.
+/// Rapids   A feed is a rapid in `other` in two cases, where distances up to `within_mm` count as none. (1) No feed passes its
+///          end. A rapid ends there, or passes its middle and end. Its distance is then that from the rapid. (2) A rapid
+///          passes its middle and ends at its end, and no feed passes the middle. Such a feed is measured at its end alone.
+/// Returns  None: a path has no feed that is checked.
 /// Cost     O(moves) for paths in the same order, at worst the product of both numbers of moves.
 [[nodiscard]] std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other,
                                                                double height_mm, double within_mm);
