@@ -4,13 +4,15 @@
 #include <utility>
 #include <vector>
 
+#include "lib/geom/triangle.h"
+
 namespace gouge {
 namespace {
 
-constexpr double kEnough = 1.01;  // times the largest distance; the nearer to 1, the more often motions are divided
+constexpr double kEnough = 1.01;  // times the largest distance. A smaller factor divides motions more often
 
 double tip_distance_mm(const Vec3& tip, const MotionChord& feed) {
-  return distance_from({tip, Vec3::UnitZ()}, feed).tip_mm;
+  return distance_to_segment(tip, feed.from.tip, feed.to.tip);
 }
 
 }  // namespace
