@@ -31,7 +31,7 @@ class ToolRegions {
 
  private:
   [[nodiscard]] double rounded_up(double depth_mm) const {
-    if (!(depth_mm > 0) || !(usual_mm_ > 0)) return std::max(depth_mm, 0.0);
+    if (!(depth_mm > 0) || !(usual_mm_ > 0) || std::isinf(depth_mm)) return std::max(depth_mm, 0.0);
     const int power =
         std::max(finest_, static_cast<int>(std::ceil(2 * std::log2(depth_mm / usual_mm_) - Tolerance::kRounding)));
     return std::max(depth_mm, usual_mm_ * std::exp2(0.5 * power));
