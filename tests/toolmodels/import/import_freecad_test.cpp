@@ -223,7 +223,7 @@ TEST(ImportFreecad, OfTwoShapesThatContradictEachOtherTheLargerIsBuilt) {
   for (const auto& [shape, type, built] : cases) {
     const ImportedTools made = import_two_shapes(shape, type);
     ASSERT_EQ(made.library.tools.size(), 1u) << shape << "\n" << all_notes(made);
-    EXPECT_EQ(shape_name(made.library.tools[0].cutter), built) << shape;
+    EXPECT_STREQ(shape_name(made.library.tools[0].cutter), built) << shape;
     EXPECT_NE(notes_of(made, "import-contradiction").find("which is the larger tool"), std::string::npos)
         << all_notes(made);
   }
