@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
 
 namespace gouge {
@@ -11,12 +10,15 @@ namespace gouge {
 /// half a turn about an axis perpendicular to them. (Eigen's FromTwoVectors computes the same by a singular value
 /// decomposition. It adds five seconds to the compilation of each source that calls it.)
 [[nodiscard]] inline Eigen::Quaterniond shortest_turn(const Vec3& from, const Vec3& to) {
-  const double w = 1 + from.dot(to);
-  if (w < Tolerance::kNoDirection) {
+  const double cosine = from.dot(to);
+  Vec3 v = from.cross(to);
+  v -= from.dot(v) * from;  // rounding is no small part of it near opposite vectors
+  // 1 + cosine, without the loss of digits near opposite vectors.
+  const double w = cosine < 0 ? v.squaredNorm() / (1 - cosine) : 1 + cosine;
+  if (!(w > 0)) {
     const Vec3 across = from.unitOrthogonal();
     return {0, across.x(), across.y(), across.z()};
   }
-  const Vec3 v = from.cross(to);
   return Eigen::Quaterniond(w, v.x(), v.y(), v.z()).normalized();
 }
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "lib/base/tolerance.h"
-
 namespace gouge {
 namespace {
 
@@ -15,11 +13,13 @@ Eigen::Matrix3d directions_at_start(const Motion& motion) {
 }  // namespace
 
 Eigen::Matrix3d rotation_to_axis(const Vec3& axis) {
-  if (1 + axis.z() < Tolerance::kSameDirection) return Vec3(1, -1, -1).asDiagonal();
-  Eigen::Matrix3d cross;
-  const Vec3 v = Vec3::UnitZ().cross(axis);
-  cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1 + axis.z());
+  const double x = axis.x(), y = axis.y(), z = axis.z();
+  // 1 + z, without the loss of digits near -z.
+  const double up = z < 0 ? (x * x + y * y) / (1 - z) : 1 + z;
+  if (!(up > 0)) return Vec3(1, -1, -1).asDiagonal();
+  Eigen::Matrix3d turn;
+  turn << 1 - x * x / up, -x * y / up, x, -x * y / up, 1 - y * y / up, y, -x, -y, z;
+  return turn;
 }
 
 BodyMotion::BodyMotion(const Motion& motion) : motion_(motion), start_(directions_at_start(motion)) {

@@ -11,7 +11,8 @@ namespace {
 constexpr double kSameAxis = 1e-9;
 
 Eigen::Quaterniond turn_from_z(const Vec3& axis) {
-  if (1 + axis.z() < 1e-9) return Eigen::Quaterniond(0, 1, 0, 0);  // half a turn about x
+  if (axis.z() < 0 && !(axis.head<2>().squaredNorm() > 0))
+    return Eigen::Quaterniond(0, 1, 0, 0);  // half a turn about x
   return shortest_turn(Vec3::UnitZ(), axis);
 }
 
