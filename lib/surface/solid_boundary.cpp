@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -53,8 +54,11 @@ class BoundaryFinder {
   std::optional<SolidBoundary> run() {
     meetings_ = find_triangle_meetings(tree_, threads_);
     find_met();
+    find_widths();
+    if (meetings_.empty() && is_one_patch()) return std::nullopt;
     join_patches();
     find_roles();
+    find_roles_of_slim();
     if (meetings_.empty() && is_all(Role::boundary)) return std::nullopt;
     result_.mesh.name = mesh_.name;
     add_whole();
@@ -75,40 +79,85 @@ class BoundaryFinder {
     std::sort(met_.begin(), met_.end());
   }
 
-  /// Joins triangles into patches. Triangles that meet no others have the same sides across edges of two triangles.
+  void find_widths() {
+    widths_.reserve(mesh_.triangles.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) widths_.push_back(width_of(mesh_, t, rounding_mm_));
+  }
+  [[nodiscard]] bool is_slim(std::uint32_t t) const { return widths_[t] != TriangleWidth::wide; }
+
+  /// Returns whether edges of two triangles connect all triangles.
+  [[nodiscard]] bool is_one_patch() const {
+    UnionFind all(mesh_.triangles.size());
+    around_.for_each_edge(mesh_, [&](Corner, Corner, const EdgeTriangles& edge) {
+      if (edge.count == 2) all.join(edge.first[0], edge.first[1]);
+    });
+    for (std::uint32_t t = 1; t < mesh_.triangles.size(); ++t) {
+      if (all.root(t) != all.root(0)) return false;
+    }
+    return true;
+  }
+
+  /// Joins triangles into patches. Triangles that meet no others have the same sides across edges of two triangles. Slim
+  /// triangles connect none, since crossings of two slim ones are not known.
   void join_patches() {
     around_.for_each_edge(mesh_, [&](Corner, Corner, const EdgeTriangles& edge) {
-      if (edge.count == 2 && !is_met_[edge.first[0]] && !is_met_[edge.first[1]])
-        patches_.join(edge.first[0], edge.first[1]);
+      if (edge.count != 2) return;
+      const auto [t, other] = edge.first;
+      if (is_slim(t) != is_slim(other)) beside_slim_.push_back(is_slim(t) ? edge.first : std::array{other, t});
+      if (!is_met_[t] && !is_met_[other] && is_slim(t) == is_slim(other)) patches_.join(t, other);
     });
   }
 
-  /// Finds the role of each patch from its largest triangle.
+  /// Finds the role of each patch from its largest triangle, except for patches of slim triangles.
   void find_roles() {
     std::vector<std::uint32_t> largest(mesh_.triangles.size());
     std::vector<double> areas2(mesh_.triangles.size(), -1);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (is_met_[t]) continue;
+      if (is_met_[t] || is_slim(t)) continue;
       const std::uint32_t root = patches_.root(t);
+      if (root == t) roots_.push_back(t);
       const double area2 = area2_of(mesh_, t);
       if (!(area2 > areas2[root])) continue;
       areas2[root] = area2;
       largest[root] = t;
     }
     roles_.assign(mesh_.triangles.size(), Role::inside);
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (!is_met_[t] && patches_.root(t) == t) roots_.push_back(t);
-    }
-    if (meetings_.empty() && roots_.size() == 1) return roles_.assign(roles_.size(), Role::boundary);
     for_each_chunk(roots_.size(), 16, threads_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const std::uint32_t t = largest[roots_[i]];
-        const Vec3 middle = (mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2)) / 3.0;
-        // A patch without area bounds nothing, so it keeps the role `inside`.
-        if (areas2[roots_[i]] > 0) roles_[roots_[i]] = role_at(t, middle, face_normal(mesh_, t));
-      }
+      for (std::size_t i = first; i < last; ++i) roles_[roots_[i]] = role_at_middle(largest[roots_[i]]);
     });
     for (const std::uint32_t root : roots_) is_known_ = is_known_ && roles_[root] != Role::unknown;
+  }
+
+  /// Finds the roles of slim triangles. Connected ones have the role of the patches around them, if that is one role.
+  /// Otherwise each has its own. One without area bounds nothing, so it keeps the role `inside`.
+  void find_roles_of_slim() {
+    std::map<std::uint32_t, Role> around;  // by root; unknown: several
+    for (const auto& [slim, other] : beside_slim_) {
+      if (is_met_[slim]) continue;
+      const Role role = is_met_[other] ? Role::unknown : roles_[patches_.root(other)];
+      const auto [found, is_new] = around.try_emplace(patches_.root(slim), role);
+      if (!is_new && found->second != role) found->second = Role::unknown;
+    }
+    std::vector<std::uint32_t> alone;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (is_met_[t] || !is_slim(t)) continue;
+      const auto found = around.find(patches_.root(t));
+      if (found != around.end() && found->second != Role::unknown)
+        roles_[t] = found->second;
+      else if (widths_[t] == TriangleWidth::slim)
+        alone.push_back(t);
+    }
+    for_each_chunk(alone.size(), 16, threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) roles_[alone[i]] = role_at_middle(alone[i]);
+    });
+    for (const std::uint32_t t : alone) is_known_ = is_known_ && roles_[t] != Role::unknown;
+  }
+
+  [[nodiscard]] Role role_of(std::uint32_t t) { return roles_[is_slim(t) ? t : patches_.root(t)]; }
+
+  [[nodiscard]] Role role_at_middle(std::uint32_t t) const {
+    const Vec3 middle = (mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2)) / 3.0;
+    return role_at(t, middle, face_normal(mesh_, t));
   }
 
   /// Returns the role of the part of triangle `t` around one of its points.
@@ -119,13 +168,16 @@ class BoundaryFinder {
     return sides->front == 0 ? Role::boundary : Role::turned;
   }
 
-  [[nodiscard]] bool is_all(Role role) const {
-    return std::all_of(roots_.begin(), roots_.end(), [&](std::uint32_t root) { return roles_[root] == role; });
+  [[nodiscard]] bool is_all(Role role) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (role_of(t) != role) return false;
+    }
+    return true;
   }
 
   void add_whole() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (!is_met_[t]) add(mesh_.triangles[t], roles_[patches_.root(t)], t);
+      if (!is_met_[t]) add(mesh_.triangles[t], role_of(t), t);
     }
   }
 
@@ -232,9 +284,11 @@ class BoundaryFinder {
   std::vector<TriangleMeeting> meetings_;
   std::vector<bool> is_met_;                                // by triangle
   std::vector<std::pair<std::uint32_t, std::size_t>> met_;  // pairs of triangle and meeting, in order
+  std::vector<TriangleWidth> widths_;                       // by triangle
+  std::vector<std::array<std::uint32_t, 2>> beside_slim_;   // a slim triangle and one that is not, at one edge
   UnionFind patches_;
-  std::vector<std::uint32_t> roots_;  // roots of the patches
-  std::vector<Role> roles_;           // by root
+  std::vector<std::uint32_t> roots_;  // of the patches that are not slim
+  std::vector<Role> roles_;           // by root, and of each slim triangle
   std::vector<Vec3> new_points_;
   bool is_known_ = true;
   SolidBoundary result_;

@@ -14,6 +14,8 @@ namespace gouge {
 namespace {
 
 constexpr double kRoundings = 200;  // rounding in units in the last place of the largest coordinate
+constexpr double kThin = 32;        // height in roundings up to which a triangle counts as one without area
+constexpr double kSlim = 16;  // height in slacks up to which crossings of a triangle are shorter than a few slacks
 constexpr std::size_t kLeavesPerChunk = 64;
 
 /// A triangle with its plane, and the maximum rounding of a height over the plane.
@@ -21,7 +23,7 @@ struct Facet {
   std::array<Vec3, 3> corners;
   TriangleCorners indices;
   Vec3 normal = Vec3::Zero();  // unit; zero for a triangle without area
-  double slack_mm = 0;
+  double slack_mm = 0, height_mm = 0;
 
   Facet(const IndexedMesh& mesh, std::uint32_t triangle, double rounding_mm)
       : corners{mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)},
@@ -29,13 +31,16 @@ struct Facet {
     const Vec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
     const Vec3 across = ab.cross(ac);
     const double area2 = across.norm();
-    if (!(area2 > 0)) return;
-    normal = across / area2;
     const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+    if (!(area2 > 0)) return;
+    height_mm = area2 / std::sqrt(longest2);
+    if (height_mm <= kThin * rounding_mm) return;
+    normal = across / area2;
     slack_mm = rounding_mm * (1 + longest2 / area2);  // rounding turns the plane of a sliver more
   }
 
   [[nodiscard]] bool has_area() const { return normal.squaredNorm() > 0; }
+  [[nodiscard]] bool is_slim() const { return height_mm <= kSlim * slack_mm; }
   [[nodiscard]] bool has(Corner corner) const {
     return indices[0] == corner || indices[1] == corner || indices[2] == corner;
   }
@@ -90,8 +95,43 @@ bool is_overlapped_at_edges(const Facet& a, const Facet& b, double slack_mm) {
   return true;
 }
 
+/// Cuts a segment in the plane of a facet to the part in the facet. Returns nothing if it is no longer than rounding.
+std::optional<Segment> part_within(const Segment& segment, const Facet& facet, double slack_mm) {
+  double from = 0, to = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 along = facet.corners[(k + 1) % 3] - facet.corners[k];
+    const Vec3 inward = facet.normal.cross(along) / along.norm();
+    const double first = inward.dot(segment[0] - facet.corners[k]) + slack_mm,
+                 last = inward.dot(segment[1] - facet.corners[k]) + slack_mm;
+    if (first < 0 && last < 0) return std::nullopt;
+    if (first < 0) from = std::max(from, first / (first - last));
+    if (last < 0) to = std::min(to, first / (first - last));
+  }
+  const Vec3 way = segment[1] - segment[0];
+  if ((to - from) * way.norm() <= slack_mm) return std::nullopt;
+  return Segment{segment[0] + from * way, segment[0] + to * way};
+}
+
+/// Returns the meeting of a triangle with a slim one. Rounding turns the plane of the slim one too far, so only that of the
+/// other is used.
+std::optional<TriangleMeeting> meeting_with_slim(const Facet& plane, const Facet& slim, double rounding_mm) {
+  const Heights heights(slim, plane);
+  const double slack_mm = std::max(plane.slack_mm, rounding_mm);
+  if (heights.is_beside() || heights.is_in_plane()) return std::nullopt;
+  const auto part = part_within(segment_in_plane(slim, heights), plane, slack_mm);
+  if (!part) return std::nullopt;
+  TriangleMeeting meeting;
+  meeting.from = (*part)[0];
+  meeting.to = (*part)[1];
+  return meeting;
+}
+
 std::optional<TriangleMeeting> meeting_of(const Facet& a, const Facet& b, double rounding_mm) {
   const auto shared = std::count_if(b.indices.begin(), b.indices.end(), [&](Corner c) { return a.has(c); });
+  if (shared < 2 && a.is_slim() != b.is_slim()) {
+    const Facet &plane = a.is_slim() ? b : a, &slim = a.is_slim() ? a : b;
+    if (!Heights(slim, plane).is_in_plane()) return meeting_with_slim(plane, slim, rounding_mm);
+  }
   const Heights of_b(b, a);
   if (of_b.is_beside() || (shared == 2 && !of_b.is_in_plane())) return std::nullopt;
   const Heights of_a(a, b);
@@ -235,6 +275,11 @@ class MeetingFinder {
 };
 
 }  // namespace
+
+TriangleWidth width_of(const IndexedMesh& mesh, std::uint32_t triangle, double rounding_mm) {
+  const Facet facet(mesh, triangle, rounding_mm);
+  return !facet.has_area() ? TriangleWidth::none : facet.is_slim() ? TriangleWidth::slim : TriangleWidth::wide;
+}
 
 double rounding_of(const IndexedMesh& mesh) {
   double largest = 1e-3;
