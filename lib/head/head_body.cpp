@@ -67,7 +67,8 @@ class CoreBalls {
  public:
   explicit CoreBalls(const Surface& surface) : surface_(surface), size_mm_(surface.mesh().box().diagonal().norm()) {}
 
-  void add_from(std::uint32_t triangle) {
+  /// Adds a ball that touches a triangle at its middle. Returns false if all balls there are tiny.
+  bool add_from(std::uint32_t triangle) {
     const std::array<Vec3, 3> corners = surface_.corners(triangle);
     const Vec3 start = (corners[0] + corners[1] + corners[2]) / 3.0;
     for (double depth = 0.5 * size_mm_; depth > kMinBall * size_mm_; depth *= 0.5) {
@@ -75,8 +76,10 @@ class CoreBalls {
       const auto foot = surface_.closest_point(ball.centre);
       if (!foot->is_inside || foot->distance_mm < depth - Tolerance::kSamePoint_mm) continue;
       ball.radius_mm = foot->distance_mm;
-      return keep(grown(ball, *foot));
+      keep(grown(ball, *foot));
+      return true;
     }
+    return false;
   }
 
   void move_to(HeadBody& head) const {
@@ -124,20 +127,38 @@ class CoreBalls {
   std::vector<Ball> balls_;
 };
 
-/// Adds cores if the boundary consists of parts of the surface. It tries each piece of the boundary and some hundred
-/// triangles.
+/// Returns the triangles of each piece, the largest first.
+std::vector<std::vector<std::uint32_t>> triangles_by_piece(const IndexedMesh& mesh) {
+  const std::vector<std::uint32_t> piece = pieces_of(mesh);
+  std::vector<std::vector<std::uint32_t>> all(*std::max_element(piece.begin(), piece.end()) + 1);
+  std::vector<double> areas2(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    all[piece[t]].push_back(t);
+    const Vec3& first = mesh.corner(t, 0);
+    areas2[t] = (mesh.corner(t, 1) - first).cross(mesh.corner(t, 2) - first).norm();
+  }
+  for (std::vector<std::uint32_t>& triangles : all)
+    std::ranges::stable_sort(triangles, [&](std::uint32_t a, std::uint32_t b) { return areas2[a] > areas2[b]; });
+  return all;
+}
+
+/// Adds cores if the boundary consists of parts of the surface. It tries some hundred triangles, and those of each piece
+/// until one has a ball. A piece of which none has one is thin everywhere, or its core of depth 0 proves nothing clean.
 void add_cores_of_boundary(HeadBody& head) {
   const IndexedMesh& mesh = head.surface.mesh();
-  const std::vector<std::uint32_t> piece = pieces_of(mesh);
   const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kTries);
   CoreBalls balls(head.surface);
-  std::uint32_t seen = 0;  // number of pieces so far
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const bool is_new = piece[t] == seen;
-    if (is_new) ++seen;
-    if (is_new || t % step == 0) balls.add_from(t);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); t += static_cast<std::uint32_t>(step)) balls.add_from(t);
+  std::vector<Vec3> unknown;
+  for (const std::vector<std::uint32_t>& triangles : triangles_by_piece(mesh)) {
+    const std::size_t tries = std::min(triangles.size(), kTries);
+    const bool has_ball = std::any_of(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(tries),
+                                      [&](std::uint32_t t) { return balls.add_from(t); });
+    if (!has_ball && tries < triangles.size()) unknown.push_back(mesh.corner(triangles.front(), 0));
   }
   balls.move_to(head);
+  head.cores.insert(head.cores.end(), unknown.begin(), unknown.end());
+  head.core_depths_mm.resize(head.cores.size(), 0);
 }
 
 }  // namespace

@@ -88,5 +88,32 @@ TEST(NestedHeads, HaveACoreInEachConnectedPart) {
   EXPECT_GE(right, 1U);
 }
 
+// The first triangle of a body in a file with others may be a sliver at a sharp edge, where no ball fits.
+TEST(NestedHeads, HaveACoreInABodyThatBeginsWithASliver) {
+  const IndexedMesh block = shapes::refined(shapes::box(Vec3(-40, -40, 300), Vec3(40, 40, 400)), 4);
+  const IndexedMesh others = shapes::joined(block, shapes::moved(block, Vec3(20.3, 23.7, 50.9)));
+  for (const double height : {1.0, 1e-3, 4e-6}) {
+    IndexedMesh body = shapes::box(Vec3(98, 0, 98), Vec3(102, 4, 102));
+    std::erase_if(body.triangles, [&](const TriangleCorners& t) {
+      return std::ranges::all_of(t, [&](Corner c) { return body.vertices[c].z() > 101; });
+    });
+    const auto top = [&](double x, double y) {
+      const auto found = std::ranges::find(body.vertices, Vec3(x, y, 102));
+      return static_cast<Corner>(found - body.vertices.begin());
+    };
+    const Corner a = top(98, 0), b = top(102, 0), c = top(102, 4), d = top(98, 4);
+    const auto middle = static_cast<Corner>(body.vertices.size());
+    body.vertices.emplace_back(100, height, 102);
+    body.triangles.insert(body.triangles.begin(), {{a, b, middle}, {b, c, middle}, {c, d, middle}, {d, a, middle}});
+    body.file_triangle.resize(body.triangles.size());
+    for (std::uint32_t t = 0; t < body.triangles.size(); ++t) body.file_triangle[t] = t + 1;
+    const HeadBody head = *build_head_body(shapes::joined(body, others));
+    const auto is_in_body = [](const Vec3& core) { return core.x() > 98 && core.z() < 102; };
+    const auto found = std::ranges::find_if(head.cores, is_in_body);
+    ASSERT_NE(found, head.cores.end()) << height;
+    EXPECT_GT(head.core_depths_mm[static_cast<std::size_t>(found - head.cores.begin())], 1) << height;
+  }
+}
+
 }  // namespace
 }  // namespace gouge::nested_heads_test
