@@ -107,7 +107,7 @@ GOUGE_INLINE void touch_next(const KernelPiece& piece, const V3& u, const V3& ax
   out.distance = distance - piece.radius_mm;
   const V3 nearly = minus(u, times(axis, first.z));
   const V3 across = minus(nearly, times(axis, dot(axis, nearly)));
-  out.gradient = plus(times(across, next_gr / max(first.r, broadcast(1e-30F))), times(axis, next_gz));
+  out.gradient = plus(times(across, next_gr / max(first.r, broadcast(1e-20F))), times(axis, next_gz));
 }
 
 /// Returns whether the nearest boundary of the tool is one of the piece's lines for every point in the range.

@@ -200,7 +200,7 @@ class CoverMaker {
     piece.radius_mm = rounding + Tolerance::kRounding_mm;
     double outside = 0;
     for (const BoundaryElement* e : run.elements) outside = std::max(outside, farthest_out(piece, *e));
-    piece.radius_mm += outside;
+    if (outside > 0) piece.radius_mm += outside + Tolerance::kRounding_mm;
     piece.z_lo_mm = piece.foot_lo_mm = first.a.y();
     piece.z_hi_mm = piece.foot_hi_mm = last.b.y();
     keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face && outside <= Tolerance::kRounding_mm);
