@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/axis_tolerance.h"
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/parsing/control_list.h"
@@ -117,7 +118,8 @@ std::optional<std::string_view> behind_values(std::string_view after) {
   return std::nullopt;
 }
 
-// Notes the smoothing of a word: CYCLE832(0.1) smooths, CYCLE832() and CYCLE832(0,0,1) do not, COMPCAD does.
+// Notes the smoothing of a word: CYCLE832(0.1) smooths, CYCLE832() and CYCLE832(0,0,1) do not, COMPCAD does. Only CYCLE832
+// has a tolerance in brackets.
 void note_smoothing(const ControlWord& word, std::string_view after, MachineEffect& effect) {
   if (word.meaning != ControlMeaning::smooths) return;
   if (!after.starts_with('(')) {
@@ -128,7 +130,7 @@ void note_smoothing(const ControlWord& word, std::string_view after, MachineEffe
   const auto first = parse_number(trim(values.substr(0, values.find_first_of(",)"))));
   if (!first || !(std::abs(*first) > 0)) return;
   effect.smooths = true;
-  note_smoothing(std::abs(*first), effect);
+  note_smoothing(std::abs(*first) * kSmoothingCycleShare, effect);
 }
 
 // Reads a word of the list, and the arguments that its row allows.

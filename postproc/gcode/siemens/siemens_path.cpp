@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/axis_tolerance.h"
 #include "lib/base/number_text.h"
 #include "postproc/gcode/siemens/siemens_runner.h"
 
@@ -52,11 +53,12 @@ void SiemensRunner::take_blending() {
   settle_path();
 }
 
-// The cycle sets the smoothing and the compressor. Without a tolerance it sets what machine data state.
+// The cycle sets the smoothing and the compressor. Without a tolerance, or with machining type 0, it sets what machine data
+// state.
 void SiemensRunner::take_smoothing_cycle(const SiemensWord& cycle) {
   SiemensBlending& blending = modes_.blending;
-  const double tolerance = siemens_argument(cycle, 0, 0);
-  const bool ends = std::abs(tolerance) <= 0;
+  const double tolerance = siemens_argument(cycle, 0, 0), type = siemens_argument(cycle, 1, 0);
+  const bool ends = std::abs(tolerance) <= 0 || !(std::fmod(type, 10) > 0);
   blending = SiemensBlending{};
   blending.word = here("CYCLE832");
   if (ends) return;
@@ -65,12 +67,11 @@ void SiemensRunner::take_smoothing_cycle(const SiemensWord& cycle) {
   blending.turn_deg = siemens_argument(cycle, 2, kUnknownValue);
 }
 
-// The tolerance of G642, G643 and the compressor may be one of each axis: the tool leaves its path by more. Of ADIS and
-// ADISPOS the stated ones count.
+// The tolerance of G642, G643, the compressor and CYCLE832 may be one of each axis: the tool leaves its path by more. The
+// cycle may switch on both smoothing and a compressor. Of ADIS and ADISPOS the stated ones count.
 double SiemensRunner::path_bound() const {
-  constexpr double kAxesTogether = 1.7320508075688774;  // square root of 3, rounded up
   const SiemensBlending& blending = modes_.blending;
-  const double together = blending.tolerance_mm * kAxesTogether;
+  const double together = blending.tolerance_mm * kThreeAxes;
   const double compressed = blending.is_compressed ? together : 0;
   switch (blending.mode) {
     case Mode::exact:
@@ -80,7 +81,7 @@ double SiemensRunner::path_bound() const {
     case Mode::tolerance:
       return together + compressed;
     case Mode::cycle:
-      return blending.tolerance_mm;
+      return blending.tolerance_mm * kSmoothingCycleShare;
     case Mode::not_stated:
     case Mode::free:
       break;

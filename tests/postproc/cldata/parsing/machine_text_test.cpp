@@ -48,7 +48,7 @@ TEST(MachineText, ReportsWhatGCodeDoes) {
 TEST(MachineText, ReportsTheDistanceByWhichTheControlMayLeaveThePath) {
   const auto distance = [](const char* text) { return read_machine_text(text).smoothing; };
   EXPECT_EQ(distance("G187 P1 E0.5"), 0.5);
-  EXPECT_EQ(distance("CYCLE832(0.25,3)"), 0.25);
+  EXPECT_NEAR(distance("CYCLE832(0.25,3)").value_or(0), 0.5 * std::sqrt(3), 1e-12) << "0.25 for each axis, twice";
   EXPECT_EQ(distance("G64 P0.1"), 0.1);
   EXPECT_EQ(distance("G64 P0.1 Q0.2"), 0.2);
   EXPECT_EQ(distance("CYCL DEF 32.1 T0.03"), 0.03);

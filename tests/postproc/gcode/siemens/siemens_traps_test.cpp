@@ -116,12 +116,14 @@ TEST(SiemensTraps, StatesThatNothingStates) {
 TEST(SiemensTraps, SmoothingWithoutItsTolerance) {
   expect_open("G64\nG1 X5 F100", "an unknown distance");
   expect_open("G642\nG1 X5 F100", "an unknown distance");
-  expect_open("CYCLE832(0.02,1,1)\nG1 X5 F100", "0.02 mm");
+  expect_open("CYCLE832(0.02,1,1)\nG1 X5 F100", "0.0693 mm");
+  for (const char* call : {"CYCLE832(0.02)", "CYCLE832(0.02,0,1)", "CYCLE832(0.02,10,1)", "CYCLE832(0.02,X,1)"})
+    expect_open(std::string(call) + "\nG1 X5 F100", "an unknown distance");
   expect_open("CYCLE832()\nG1 X5 F100", "an unknown distance");
   expect_open("COMPCAD\nG1 X5 F100", "--tip-tolerance");
   ProgramSetup setup;
   setup.tip_tolerance_mm = 0.01;
-  expect_open("CYCLE832(0.02,1,1)\nG1 X5 F100", "0.02 mm", setup);
+  expect_open("CYCLE832(0.02,1,1)\nG1 X5 F100", "0.0693 mm", setup);
   expect_open("CTOL=0.01\nG642\nG1 X5 F100", "0.0173 mm", setup);
   expect_open("G641 ADIS=0.01 ADISPOS=0.5\nG1 X5 F100", "0.5 mm", setup);
 }
@@ -129,7 +131,7 @@ TEST(SiemensTraps, SmoothingWithoutItsTolerance) {
 TEST(SiemensTraps, SmoothingOfTheToolAxis) {
   const std::string blocks = "G0 B0 C0\nTRAORI\nCYCLE832(0.02,1,0.5)\nG0 X1 Y2 Z50\nG1 C10 F100";
   ProgramSetup setup = full_setup();
-  setup.tip_tolerance_mm = 0.02;
+  setup.tip_tolerance_mm = 0.07;
   expect_open(blocks, "0.5 degrees; expected --axis-tolerance", setup);
   setup.axis_tolerance_rad = 0.01;
   EXPECT_TRUE(test::can_be_clean(test::read_siemens(kHead + blocks + "\nM30\n", setup)));

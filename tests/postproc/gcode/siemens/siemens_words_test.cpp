@@ -190,7 +190,7 @@ TEST(SiemensWords, MessagesNameOperations) {
 TEST(SiemensWords, SmoothingWithinTheToleranceIsChecked) {
   ProgramSetup setup;
   setup.tip_tolerance_mm = 0.05;
-  for (const char* block : {"CYCLE832(0.05,1,1)", "G64", "G641 ADIS=0.02 ADISPOS=0.05", "CTOL=0.028\nG642",
+  for (const char* block : {"CYCLE832(0.014,1,1)", "G64", "G641 ADIS=0.02 ADISPOS=0.05", "CTOL=0.028\nG642",
                             "COMPCAD CTOL=0.028", "CTOL=0.014\nG643 COMPON"})
     expect_at(tip_after(std::string(block) + "\nG1 Z5 F100\n", setup), 0, 0, 5);
 }
