@@ -1,6 +1,7 @@
 #include "cli/machine/program_facts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -101,13 +102,24 @@ std::optional<Diagnostic> find_wrong_word(const WordOption& word) {
   return wrong_value(word.option, word.typed, listed(word.values, " or "));
 }
 
+constexpr std::array<std::pair<const char*, TipFrame>, 4> kTipFrames{{{"table", TipFrame::table},
+                                                                      {"table-at-zero", TipFrame::table_at_zero},
+                                                                      {"table-at-call", TipFrame::table_at_call},
+                                                                      {"workpiece", TipFrame::workpiece}}};
+
+std::vector<std::string> tip_frame_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, frame] : kTipFrames) names.emplace_back(name);
+  return names;
+}
+
 }  // namespace
 
 Result<ProgramSetup> understand_program(const StatedProgram& stated, const ProgramOptionNames& names) {
   for (const WordOption& word : {WordOption{names.block_delete, stated.block_delete, {"on", "off"}},
                                  {names.plain_numbers, stated.plain_numbers, {"units", "increments"}},
                                  {names.rotary_turns, stated.rotary_turns, {"as-programmed"}},
-                                 {names.tip_frame, stated.tip_frame, {"table", "workpiece"}}}) {
+                                 {names.tip_frame, stated.tip_frame, tip_frame_names()}}) {
     if (auto wrong = find_wrong_word(word)) return std::move(*wrong);
   }
   ProgramSetup setup;
@@ -129,7 +141,8 @@ Result<ProgramSetup> understand_program(const StatedProgram& stated, const Progr
   if (stated.plain_numbers == "units") setup.plain_numbers = PlainNumbers::units;
   if (stated.plain_numbers == "increments") setup.plain_numbers = PlainNumbers::increments;
   if (!stated.rotary_turns.empty()) setup.winds_as_programmed = true;
-  if (!stated.tip_frame.empty()) setup.tip_frame = stated.tip_frame == "table" ? TipFrame::table : TipFrame::workpiece;
+  for (const auto& [name, frame] : kTipFrames)
+    if (stated.tip_frame == name) setup.tip_frame = frame;
   return setup;
 }
 

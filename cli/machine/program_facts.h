@@ -21,7 +21,7 @@ struct StatedProgram {
   std::string home;           ///< "x,y,z"
   std::string plain_numbers;  ///< "units" or "increments"
   std::string rotary_turns;   ///< "as-programmed"
-  std::string tip_frame;      ///< "table" or "workpiece"
+  std::string tip_frame;      ///< "table", "table-at-zero", "table-at-call" or "workpiece"
 };
 
 /// Names of these options in messages: those of the command line, or others.

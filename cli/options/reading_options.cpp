@@ -128,10 +128,11 @@ const OptionRows<ReadingArguments>& reading_options() {
        .field = &A::tip_frame,
        .help =
            "Coordinates under tool centre point control on a machine whose table turns, where a parameter states it "
-           "(Fanuc G43.4). table: they turn with the table",
+           "(Fanuc G43.4). table: they turn with the table, which is at 0 where the control begins. table-at-zero, "
+           "table-at-call: they turn with it, and are those with the table at 0, or as it stands at the call",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
-       .choices = {"table", "workpiece"}},
+       .choices = {"table", "table-at-zero", "table-at-call", "workpiece"}},
       {.name = "--rotary-turns",
        .field = &A::rotary_turns,
        .help = "Way of a rotary joint to an absolute position. as-programmed: it turns by the difference",

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "postproc/gcode/iso/block_runner.h"
 #include "postproc/gcode/running/program_text.h"
 
@@ -104,20 +105,10 @@ void BlockRunner::take_length(const GcodeRow& row) {
 }
 
 // Source: Fanuc A-79294E, p.2 and 3: P1 turns the tool axis on the plane of its ends, P0 moves the rotary axes on their own.
-// A-79348E: parameter 19696#5 (WKP) chooses the coordinates.
 void BlockRunner::begin_tip_control(const GcodeRow& row) {
   motion_.set_tip_control(TipControl::on);
   motion_.end_doubt(ProgramDoubt::tip_control);
   const std::string code = code_text(row.letter, row.number) + in_line(line_);
-  const bool turns_table = std::ranges::any_of(
-      setup_.machine->rotary, [&](std::size_t k) { return setup_.machine->joints[k].side == JointSide::table; });
-  const bool follows_table = index_.control().has_tip_frame_of_table || setup_.tip_frame == TipFrame::table;
-  if (turns_table && !follows_table)
-    return motion_.doubt(ProgramDoubt::tip_control,
-                         code + (setup_.tip_frame == TipFrame::workpiece
-                                     ? " follows coordinates that do not turn with the table, which are not read"
-                                     : ": a parameter of the control states whether coordinates turn with the table; "
-                                       "expected --tip-frame"));
   if (!words_.has('P')) return;
   const auto p = words_.integer('P');
   const bool covers_both = setup_.feed_law == TurnLaw::documented || setup_.feed_law == TurnLaw::any;
@@ -126,6 +117,72 @@ void BlockRunner::begin_tip_control(const GcodeRow& row) {
   if (!covers_both && !is_covered)
     motion_.doubt(ProgramDoubt::tip_control, code + " chooses another law of motion than that of the check; expected " +
                                                  (p == 1 ? "--feed-law vector" : "--feed-law documented or any"));
+}
+
+// Returns the angle of a joint at the end of the block, before its words are taken. Not a number: it is not known.
+double BlockRunner::angle_of_block(std::size_t rotary) {
+  const double before = motion_.place().angles.at(rotary);
+  for (const char letter : {'A', 'B', 'C'}) {
+    if (!words_.is_axis(letter) || motion_.mapper().rotary_of(letter) != rotary) continue;
+    const double degrees = number(letter, StepRounding::kIncrement_deg);
+    return modes_.is_absolute.value_or(true) ? motion_.angle_from_program(rotary, degrees)
+                                             : before + degrees * kDegree_rad;
+  }
+  return before;
+}
+
+// Chooses the coordinates that turn with the table. Returns why they are not known; empty: they are. Source: Fanuc A-79348E,
+// p.19: they are those of the work offset when G43.4 is called, and what turned before or turns in its block is their initial
+// state. Programs also state them with the table at 0, and a control may have been set to that.
+std::string BlockRunner::take_frame_at_call() {
+  const bool is_at_zero = index_.control().has_tip_frame_of_table || setup_.tip_frame == TipFrame::table_at_zero;
+  RotaryAngles frame{0, 0};
+  for (std::size_t k = 0; k < 2 && !is_at_zero; ++k) {
+    const Joint& joint = setup_.machine->joints[setup_.machine->rotary.at(k)];
+    if (joint.side != JointSide::table) continue;
+    const double before = motion_.place().angles.at(k), after = angle_of_block(k);
+    const auto is_off = [](double angle) { return is_known(angle) && std::abs(angle) > Tolerance::kExactDirection; };
+    const bool is_stated_twice = is_known(before) && is_known(after);
+    if (setup_.tip_frame == TipFrame::table && (is_off(before) || is_off(after)))
+      return " begins while joint " + joint.name +
+             " is not at 0, and a control may take coordinates with the table at 0 or as it stands; expected --tip-frame "
+             "table-at-zero or table-at-call";
+    if (!is_known(after)) return ": " + motion_.mapper().unknown_angles();
+    if (setup_.tip_frame == TipFrame::table_at_call && is_stated_twice && std::abs(after - before) > 0)
+      return " turns joint " + joint.name + " in its own block; expected it in a block before";
+    frame.at(k) = setup_.tip_frame == TipFrame::table_at_call ? after : 0;
+  }
+  motion_.set_tip_frame(frame);
+  if (is_at_zero && motion_.has_turned_offset() && !index_.control().shifts_words_of_joints)
+    return ": the work offset turns a rotary joint, and no manual at hand states what it does to coordinates that turn with "
+           "the table";
+  return {};
+}
+
+// Settles the coordinates that tool centre point control follows, after a code that begins it (a call) or that chooses a work
+// offset. Source: Fanuc A-79348E: parameter 19696#5 (WKP) states whether they turn with the table.
+void BlockRunner::settle_tip_frame(const GcodeRow& row, bool is_call) {
+  if (motion_.tip_control() != TipControl::on || !motion_.mapper().has_machine()) return;
+  const bool turns_table = std::ranges::any_of(
+      setup_.machine->rotary, [&](std::size_t k) { return setup_.machine->joints[k].side == JointSide::table; });
+  if (!turns_table) return;
+  const ControlTable& control = index_.control();
+  const bool is_turned = motion_.tip_frame() != RotaryAngles{0, 0} || motion_.has_turned_offset();
+  std::string open;
+  if (!is_call)
+    open = is_turned && !control.shifts_words_of_joints
+               ? " changes the work offset while tool centre point control follows a turned table"
+               : "";
+  else if (control.has_tip_frame_of_table)
+    open = take_frame_at_call();
+  else if (setup_.tip_frame == TipFrame::workpiece)
+    open = " follows coordinates that do not turn with the table, which are not read";
+  else if (setup_.tip_frame == TipFrame::not_stated)
+    open = ": a parameter of the control states whether coordinates turn with the table; expected --tip-frame";
+  else
+    open = take_frame_at_call();
+  if (!open.empty())
+    motion_.doubt(ProgramDoubt::tip_control, code_text(row.letter, row.number) + in_line(line_) + open);
 }
 
 // G255 ends the turned work offset. Programs end tool centre point control by it too, and no manual states that it does.

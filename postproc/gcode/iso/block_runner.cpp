@@ -92,6 +92,9 @@ void BlockRunner::take_modes() {
       motion_.end_doubt(ProgramDoubt::frame);
     }
   }
+  const GcodeRow *const call = words_.row_of(Meaning::tip_control_on), *const offset =
+                                                                           words_.row_of(Meaning::work_offset);
+  if (call != nullptr || offset != nullptr) settle_tip_frame(call != nullptr ? *call : *offset, call != nullptr);
   note_level_of_cycle(height_mm);
 }
 

@@ -85,6 +85,9 @@ class BlockRunner {
   void take_length(const GcodeRow& row);
   [[nodiscard]] bool states_place_of_z() const;
   void begin_tip_control(const GcodeRow& row);
+  void settle_tip_frame(const GcodeRow& row, bool is_call);
+  [[nodiscard]] std::string take_frame_at_call();
+  [[nodiscard]] double angle_of_block(std::size_t rotary);
   void end_tip_control(const GcodeRow& row);
   void take_offset(const GcodeRow& row);
   void take_tilted_plane();

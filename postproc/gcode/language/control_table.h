@@ -148,7 +148,11 @@ struct ControlTable {
   bool levels_may_be_new = false;   ///< the level of G98 may be that before a cycle that follows another one
   bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle
   RotaryTurns turns = RotaryTurns::may_be_shorter;  ///< of absolute rotary words
-  bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it
+  bool has_tip_frame_of_table =
+      false;  ///< tool centre point control follows the table, and its coordinates are those with
+              ///< the table at 0; else parameters state it
+  bool shifts_words_of_joints =
+      false;  ///< a work offset of a rotary joint shifts its words alone, and turns no coordinates
   bool has_straight_rapids =
       false;  ///< G0 without tool centre point control is coordinated; else a parameter states it
   bool takes_rapids_to_machine_places = false;  ///< G53 is a rapid whatever motion code is in force

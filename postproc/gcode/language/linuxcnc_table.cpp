@@ -114,6 +114,7 @@ const ControlTable& linuxcnc_table() {
       .has_default_length = true,
       .turns = RotaryTurns::as_programmed,
       .has_tip_frame_of_table = true,
+      .shifts_words_of_joints = true,
       .has_straight_rapids = true,
       .turns_along_arcs = true,
       .source = "LinuxCNC, G-Code Reference; src/emc/rs274ngc/interp_convert.cc and emccanon.cc: state after a reset",

@@ -20,6 +20,10 @@ std::optional<std::size_t> joint_called(const Machine& machine, char letter) {
 
 bool stands_at_zero(double angle) { return std::abs(angle) <= Tolerance::kExactDirection; }
 
+bool has_turned_tip_frame(const AxisFrame& state) {
+  return state.tip_control == TipControl::on && !std::ranges::all_of(state.tip_frame, stands_at_zero);
+}
+
 }  // namespace
 
 std::string describe_unfit(const Machine& machine) {
@@ -106,8 +110,8 @@ std::string AxisMapper::missing_point(const RotaryAngles& angles) const {
   for (std::size_t k = 0; k < 2; ++k) {
     const Joint& joint = machine_->joints[machine_->rotary.at(k)];
     if (joint.has_point || stands_at_zero(angles.at(k))) continue;
-    return "without tool centre point control the place of the tip needs a point on the axis of joint " + joint.name +
-           "; expected --joint-point " + joint.name + "=X,Y,Z";
+    return "the place of the tip needs a point on the axis of joint " + joint.name + "; expected --joint-point " +
+           joint.name + "=X,Y,Z";
   }
   return {};
 }
@@ -115,6 +119,7 @@ std::string AxisMapper::missing_point(const RotaryAngles& angles) const {
 bool AxisMapper::needs_applied_length(const AxisFrame& state, const RotaryAngles& angles) const {
   if (state.plane) return true;
   if (machine_ == nullptr) return false;
+  if (has_turned_tip_frame(state)) return true;
   for (std::size_t k = 0; k < 2; ++k) {
     const std::size_t joint = machine_->rotary.at(k);
     const bool turns_tool =
@@ -145,6 +150,14 @@ AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) cons
         map = at_joints(state.shift_mm + Vec3(0, 0, state.tool_length_mm), angles, state.tool_length_mm);
         map.open = missing_point(angles);
       }
+    }
+    if (has_turned_tip_frame(state)) {
+      const AxisMap at_call = at_joints(state.shift_mm, state.tip_frame, 0);
+      map.linear = at_call.linear;
+      map.origin = at_call.origin;
+      if (map.open.empty()) map.open = missing_point(state.tip_frame);
+      if (map.open.empty() && state.plane)
+        map.open = "a tilted frame is in force, and the table turned before tool centre point control";
     }
     const Vec3 along = state.tip_control == TipControl::on ? map.axis : Vec3(map.linear.col(2));
     map.origin += state.excess_length_mm * along;

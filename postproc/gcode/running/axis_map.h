@@ -34,7 +34,9 @@ struct ProgramFrame {
 /// Frame and length that are in force for positions.
 struct AxisFrame {
   TipControl tip_control = TipControl::off;
-  Vec3 shift_mm = Vec3::Zero();         ///< work zero from machine zero of the joint values
+  Vec3 shift_mm = Vec3::Zero();  ///< work zero from machine zero of the joint values
+  RotaryAngles tip_frame{0,
+                         0};  ///< rad; with the table there, coordinates of tool centre point control lie in `shift_mm`
   std::optional<RigidTransform> plane;  ///< tilted frame, in the coordinates of the work offset
   std::optional<ProgramFrame> frame;    ///< in the coordinates of `plane`, or of the work offset
   bool is_aligned = false;              ///< the tool axis is that of the tilted frame

@@ -71,6 +71,8 @@ class ProgramMotion {
   /// Chooses the work offset by its name. Two offsets need both values.
   void choose_offset(const std::string& name);
   void set_tip_control(TipControl control);
+  /// Lets the coordinates of tool centre point control be those of the work offset with the joints at these angles, rad.
+  void set_tip_frame(const RotaryAngles& angles);
   /// Sets the tilted frame, in the coordinates of the work offset; none: ends it.
   void set_plane(const std::optional<RigidTransform>& plane);
   /// Sets the frame of the program, in the coordinates of the tilted frame or of the work offset; none: ends it.
@@ -141,6 +143,7 @@ class ProgramMotion {
   /// Notes that the block which runs states the angle of a joint without the work offset.
   void note_angle_of_machine(std::size_t rotary) { is_angle_of_machine_.at(rotary) = true; }
   [[nodiscard]] TipControl tip_control() const { return state_.tip_control; }
+  [[nodiscard]] const RotaryAngles& tip_frame() const { return state_.tip_frame; }
   [[nodiscard]] const AxisMapper& mapper() const { return mapper_; }
 
   /// A block moves by steps from a place that is not known, so the height of the tool is not that of the tool change.
@@ -222,8 +225,9 @@ class ProgramMotion {
   bool has_lengths_ = true;
   std::size_t length_needed_line_ = 0;
   enum class Length : std::uint8_t { none, applied } length_ = Length::none;
-  std::optional<int> length_number_;  // of H; none: of the tool
-  std::string lost_length_;           // why the length that was applied may be in force no more; empty: it is
+  std::optional<int> length_number_;        // of H; none: of the tool
+  std::optional<int> first_length_number_;  // of the first H that is applied to a tool without a number
+  std::string lost_length_;                 // why the length that was applied may be in force no more; empty: it is
   std::size_t tools_loaded_ = 0;
   std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
   bool are_rapids_together_ = false, has_unknown_step_ = false;

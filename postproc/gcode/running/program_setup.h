@@ -34,8 +34,10 @@ enum class PlainNumbers : std::uint8_t {
 /// Coordinates that tool centre point control follows on machines whose table turns, where a parameter states it.
 enum class TipFrame : std::uint8_t {
   not_stated,
-  table,     ///< they turn with the table
-  workpiece  ///< they stand while the table turns
+  table,          ///< they turn with the table, which is at 0 where the control begins
+  table_at_zero,  ///< they turn with the table, and are those of the work offset with the table at 0
+  table_at_call,  ///< they turn with the table, and are those of the work offset where the control begins
+  workpiece       ///< they stand while the table turns
 };
 
 /// A tool table of a control: facts about each tool by its number.

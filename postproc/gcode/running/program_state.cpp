@@ -217,6 +217,14 @@ void ProgramMotion::set_tip_control(TipControl control) {
   });
 }
 
+void ProgramMotion::set_tip_frame(const RotaryAngles& angles) {
+  if (state_.tip_frame == angles) return;
+  change_state([&] {
+    state_.tip_frame = angles;
+    settle_length();
+  });
+}
+
 void ProgramMotion::set_plane(const std::optional<RigidTransform>& plane) {
   if (!plane && !state_.plane) return;
   change_state([&] {
@@ -286,13 +294,18 @@ void ProgramMotion::settle_length() {
   const std::optional<int> applied = length_number_;
   if (!applied && length_tool_ != tool_)
     state_.open_length = "the length that is applied is that of another tool; expected G43 after the tool change";
-  if (!applied || applied == tool || !tool) return;
-  const auto other = setup_.lengths_mm.find(*applied), own = setup_.lengths_mm.find(*tool);
-  if (other == setup_.lengths_mm.end() || own == setup_.lengths_mm.end())
-    state_.open_length = "H" + std::to_string(*applied) + " is applied to " + name +
-                         ", and their lengths are not given; expected --tool-lengths";
-  else
+  const std::optional<int> of_tool = tool ? tool : first_length_number_;
+  if (!applied || applied == of_tool) return;
+  const auto other = setup_.lengths_mm.find(*applied), own = setup_.lengths_mm.find(*of_tool);
+  if (other != setup_.lengths_mm.end() && own != setup_.lengths_mm.end()) {
     state_.excess_length_mm = other->second - own->second;
+    return;
+  }
+  const std::string lengths = "H" + std::to_string(*applied) + " is applied to " + name;
+  state_.open_length = tool ? lengths + ", and their lengths are not given; expected --tool-lengths"
+                            : lengths + " after H" + std::to_string(*of_tool) +
+                                  ", and no tool number is stated; expected T and M6 where the tool changes, or both "
+                                  "lengths in --tool-lengths";
 }
 
 // A change may leave the spindle where it is, because no motion of the machine is certain. The tip of a longer tool is then
@@ -320,6 +333,7 @@ void ProgramMotion::take_table(PathTool& tool) const {
 
 void ProgramMotion::change_tool(const PathTool& tool) {
   note_height_of_change(tool);
+  if (tool.number) first_length_number_.reset();
   const auto is_same = [&](const PathTool& one) { return one.number == tool.number && one.name == tool.name; };
   if (tool_ == kNone || !is_same(builder_.path.tools[tool_])) ++tools_loaded_;
   const auto same = std::ranges::find_if(builder_.path.tools, is_same);
@@ -349,6 +363,7 @@ void ProgramMotion::apply_length(std::optional<int> h) {
     length_number_ = h ? h : tool_number();
     lost_length_.clear();
     length_tool_ = tool_;
+    if (!tool_number() && !first_length_number_) first_length_number_ = h;
     settle_length();
   });
 }

@@ -16,6 +16,24 @@ ProgramSetup on(std::shared_ptr<const Machine> machine) {
 
 std::string fanuc(const std::string& blocks) { return kFanucStart + blocks + "M30\n"; }
 
+// A tool without a number has the length of the first H, and every other H needs both lengths.
+void expect_two_lengths_of_a_tool_without_number() {
+  for (const char* control : {"fanuc", "haas", "linuxcnc"}) {
+    for (const char* change : {"", "M0\n", "M6\n"}) {
+      const std::string text =
+          std::string("G21 G90 G17\nG43 H1 G0 X0. Y0. Z10.\n") + change + "G43 H2 G0 X0. Y0. Z10.\nG1 X5. F9.\nM30\n";
+      expect_open(text, control, "no tool number is stated; expected T and M6");
+      ProgramSetup setup;
+      setup.lengths_mm = {{1, 100}, {2, 90}};
+      const Toolpath path = path_of_program(text, control, setup);
+      expect_tip(path.moves.back(), 5, 0, 0);
+      expect_tip(path.moves.front(), 0, 0, 10);
+    }
+    expect_checked("G21 G90 G17\nG43 H1 G0 X0. Y0. Z10.\nG1 X5. F9.\nT2 M6\nG43 H2 G0 X0. Y0. Z10.\nG1 X5. F9.\nM30\n",
+                   control);
+  }
+}
+
 TEST(GcodeTraps, T01_CodesThatEndAnotherModeThanTheirs) {
   const std::string haas = "G20 G90 G17\nT1 M6\nG234 H1\nG0 X0. Y0. Z5. B0. C0.\nG1 B30. F9.\nG255\nG1 B40.\nM30\n";
   ProgramSetup setup = on(machine_of("haas-umc750"));
@@ -38,6 +56,7 @@ TEST(GcodeTraps, T02_MissingOffsetLengthAndPivot) {
   length.tool_length_mm = 100;
   expect_checked(fanuc("G49 G0 Z20.\nG1 X5. F9.\n"), "fanuc", length);
   expect_open(fanuc("G43 H2\nG1 X5. F9.\n"), "fanuc", "H2 is applied to T1");
+  expect_two_lengths_of_a_tool_without_number();
   const std::string turned = "G21 G90 G0 X0 Y0 Z0 A0 C0\nG1 A30 F9\nM2\n";
   expect_open(turned, "linuxcnc", "--joint-point", on(machine_of("linuxcnc-xyzac-trt")));
   expect_checked(turned, "linuxcnc", on(trunnion()));
@@ -58,7 +77,7 @@ TEST(GcodeTraps, T03_UnknownCodesAndMacros) {
 TEST(GcodeTraps, T04_TheLawOfG434) {
   ProgramSetup setup = on(trunnion());
   setup.tip_frame = TipFrame::table;
-  const std::string program = "G21 G90 G17\nT1 M6\nG43.4 H1 P1\nG0 X0. Y0. Z5. A0. C0.\nG1 A30. F9.\nM30\n";
+  const std::string program = "G21 G90 G17\nT1 M6\nG43.4 H1 P1 G0 X0. Y0. Z5. A0. C0.\nG1 A30. F9.\nM30\n";
   setup.feed_law = TurnLaw::axis;
   expect_open(program, "fanuc", "--feed-law vector", setup);
   setup.feed_law = TurnLaw::vector;
@@ -70,7 +89,7 @@ TEST(GcodeTraps, T04_TheLawOfG434) {
 TEST(GcodeTraps, T05_CoordinatesThatDoNotTurnWithTheTable) {
   ProgramSetup setup = on(trunnion());
   setup.feed_law = TurnLaw::documented;
-  const std::string program = "G21 G90 G17\nT1 M6\nG43.4 H1\nG0 X0. Y0. Z5. A0. C0.\nG1 A30. F9.\nM30\n";
+  const std::string program = "G21 G90 G17\nT1 M6\nG43.4 H1 G0 X0. Y0. Z5. A0. C0.\nG1 A30. F9.\nM30\n";
   expect_open(program, "fanuc", "--tip-frame", setup);
   setup.tip_frame = TipFrame::workpiece;
   expect_open(program, "fanuc", "do not turn with the table", setup);
@@ -163,7 +182,7 @@ TEST(GcodeTraps, T15_TurnsBeyondHalfATurn) {
   ProgramSetup setup = on(trunnion());
   setup.tip_frame = TipFrame::table;
   setup.feed_law = TurnLaw::documented;
-  const std::string program = "G21 G90 G17\nT1 M6\nG43.4 H1\nG0 X0. Y0. Z5. A0. C0.\nG1 C270. F9.\nM30\n";
+  const std::string program = "G21 G90 G17\nT1 M6\nG43.4 H1 G0 X0. Y0. Z5. A0. C0.\nG1 C270. F9.\nM30\n";
   expect_open(program, "fanuc", "--rotary-turns", setup);
   setup.winds_as_programmed = true;
   expect_checked(program, "fanuc", setup);
