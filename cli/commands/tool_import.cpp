@@ -59,7 +59,7 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
   command
       .add_option("file", arguments.file,
                   "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat or "
-                  "holder_database.dat")
+                  "holder_database.dat, CAMotics .json, LinuxCNC .tbl")
       ->type_name("FILE")
       ->required();
   command.add_option("-o,--output", output, "Tool library to write (JSON); - for standard output")
@@ -73,7 +73,7 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
   command
       .add_option("--stickout", arguments.stickout, "Length from the tip to the holder, if the file does not state it")
       ->type_name("LENGTH");
-  command.add_option("--unit", arguments.unit, "Unit of a file that does not state its unit (NX)")
+  command.add_option("--unit", arguments.unit, "Unit of a file that does not state its unit (NX, LinuxCNC)")
       ->check(CLI::IsMember({"mm", "inch"}));
   add_input_limit(command, arguments.input);
   command.footer(

@@ -19,7 +19,7 @@ struct UsualOption {
 
 constexpr UsualOption kInputs[] = {{"--part", "Finished part (STL; repeatable)"},
                                    {"--fixture", "Fixture that must not be touched (STL; repeatable)"},
-                                   {"--tools", "Tool library: JSON, Fusion, FreeCAD, NX, LinuxCNC"},
+                                   {"--tools", "Tools: JSON, Fusion, FreeCAD, NX, CAMotics, LinuxCNC"},
                                    {"--place", "Placement of the STL files: x,y,z[,rx,ry,rz]"},
                                    {"--stl-units", "Unit of the STL files"},
                                    {"--control", "Control that runs the program (G-code)"},
