@@ -28,7 +28,7 @@ struct ProgramCase {
 };
 
 const std::vector<std::string> kByAxis = {"--feed-law", "axis", "--rapid-law", "axis"};
-const std::vector<std::string> kOfFanuc = {"--control",      "fanuc",         "--tip-frame",   "table",
+const std::vector<std::string> kOfFanuc = {"--control",      "fanuc",         "--tip-frame",   "table-at-zero",
                                            "--rotary-turns", "as-programmed", "--tool-length", "100"};
 
 const ProgramCase kTrunnion = {"linuxcnc-xyzac-trt", test::WrittenControl::linuxcnc, {}, {}};

@@ -107,7 +107,7 @@ TEST(SmoothingText, ContradictsASmallerTolerance) {
   const auto status = [&](const std::string& text, const std::vector<std::string>& more) {
     return shop.check("a", path_text(stations(), std::string(kHead) + "INSERT " + text + "\n"), more).exit_status;
   };
-  for (const char* const text : {"G187 E0.5", "CYCLE832(0.5)", "G64 P0.5", "CYCL DEF 32.1 T0.5"}) {
+  for (const char* const text : {"G187 E0.5", "CYCLE832(0.144)", "G64 P0.5", "CYCL DEF 32.1 T0.5"}) {
     EXPECT_EQ(status(text, {"--tip-tolerance", "0.01", "--tolerance", "1"}), 4) << text;
     EXPECT_EQ(shop.json("a.json").at("verdict"), "not-fully-checked");
     EXPECT_EQ(status(text, {"--tip-tolerance", "0.5", "--tolerance", "1"}), 0) << text;
